@@ -22,7 +22,7 @@ STATUSES = (
 
 @dataclass(frozen=True)
 class Part:
-    """The verdict on one statement or one kind of input; ``right`` is None where nothing was said."""
+    """The verdict on one statement or kind of input; ``right`` is None where nothing was said."""
 
     label: str
     right: bool | None
@@ -81,6 +81,7 @@ def not_attempted(question: Question, feedback: str = "Nothing was answered yet.
 
 
 _STOPPED = {
+    "error": "Running it raised an exception.",
     "timeout": "It took longer than the time limit; look for a loop that never ends.",
     "killed": "The process that ran it ended: too much memory, a crash, or an exit.",
     "unreadable": "The submission could not be opened.",
