@@ -51,8 +51,9 @@ class _View:
         return bundle
 
     def __repr__(self) -> str:
-        text = [line for line in self.lines() if not line.startswith(("<details", "</details"))]
-        return "\n".join(text).replace("**", "").replace("\n\n\n", "\n\n")
+        text = "\n".join(self.lines()).replace("**", "")
+        text = text.replace("<details><summary>Explanation</summary>\n", "Explanation:")
+        return text.replace("\n\n</details>", "")
 
 
 class QuestionView(_View):
