@@ -180,7 +180,7 @@ def answer_from_table(table: dict[str, Any], question: q.Question) -> Answer:
 
 
 def _alternative(table: _Table, credit: Any = ...) -> dict[str, Any]:
-    fields = {
+    fields: dict[str, Any] = {
         "name": table.text("name"),
         "credit": float(table.take("credit", (int, float), credit)),
         "feedback": table.text("feedback", ""),

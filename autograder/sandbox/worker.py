@@ -139,7 +139,7 @@ def _limit_memory(megabytes: int) -> None:
 
     import cv2  # noqa: F401  -- what a notebook imports anyway is not charged to the student
     import matplotlib.pyplot  # noqa: F401
-    import numpy  # noqa: ICN001, F401
+    import numpy  # noqa: F401
     import sympy  # noqa: F401
 
     try:
