@@ -64,12 +64,8 @@ def _parser() -> argparse.ArgumentParser:
     grade.add_argument(
         "--question", action="append", metavar="ID", help="mark only this question (repeatable)"
     )
-    grade.add_argument(
-        "--regrade", action="store_true", help="mark again what was marked before, with new inputs"
-    )
-    grade.add_argument(
-        "--seed", type=int, metavar="N", help="draw the hidden inputs from this seed"
-    )
+    grade.add_argument("--regrade", action="store_true", help="mark again what was marked before")
+    grade.add_argument("--seed", type=int, metavar="N", help="of the hidden inputs")
     grade.set_defaults(run=_grade)
 
     check = commands.add_parser("check", help="prove the course")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable
-from concurrent.futures import ALL_COMPLETED, FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
+from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from contextlib import ExitStack
 from dataclasses import dataclass
 from queue import SimpleQueue
@@ -68,11 +68,12 @@ def grade_all(
                 submission, "graded", contents.fingerprint, tuple(marks), tuple(contents.notes)
             )
 
+        names = [chapter.name for chapter in marker.course.chapters]
         tasks: set[Future[Graded]] = set()
         try:
             for submission in submissions:
                 try:
-                    contents = read_submission(submission, marker.course.settings)
+                    contents = read_submission(submission, marker.course.settings, names)
                 except Unreadable as unreadable:
                     done(_unreadable(submission, marker.course, str(unreadable), questions))
                     continue
@@ -82,24 +83,22 @@ def grade_all(
                     continue
                 tasks.add(pool.submit(grade, submission, contents))
                 if len(tasks) > 2 * jobs:  # so that memory does not grow with the class
-                    tasks = _report_finished(tasks, done, FIRST_COMPLETED)
-            _report_finished(tasks, done, ALL_COMPLETED)
+                    tasks = _report_finished(tasks, done)
+            while tasks:
+                tasks = _report_finished(tasks, done)
         finally:
             for task in tasks:
                 task.cancel()
 
 
 def _report_finished(
-    tasks: set[Future[Graded]], done: Callable[[Graded], None], until: str
+    tasks: set[Future[Graded]], done: Callable[[Graded], None]
 ) -> set[Future[Graded]]:
-    """Report tasks as they finish; returns those still running when ``until`` has come."""
-    while tasks:
-        finished, tasks = wait(tasks, return_when=FIRST_COMPLETED)
-        for task in finished:
-            done(task.result())
-        if until == FIRST_COMPLETED:
-            break
-    return tasks
+    """Wait for a task to finish, report all that have, and return the others."""
+    finished, running = wait(tasks, return_when=FIRST_COMPLETED)
+    for task in finished:
+        done(task.result())
+    return running
 
 
 def _unreadable(
@@ -163,12 +162,15 @@ def _grade_chapter(
         for question in asked:
             if isinstance(question, TrueFalse | Order):
                 marks.append(marker.mark(question.id, responses.get(question.id)))
+            elif chapter.name in contents.unreadable:
+                reason = contents.unreadable[chapter.name]
+                marks.append(stopped(question, "unreadable", reason))
             elif chapter.name not in contents.notebooks:
                 marks.append(not_attempted(question, "Its notebook was not handed in."))
             elif failure is not None:
                 marks.append(stopped(question, failure, _NOTEBOOK_STOPPED[failure]))
             else:
-                said = str(understood.get(question.name, ""))
+                said = str(understood.get(question.name or "", ""))
                 marks.append(_mark_named(question, session, marker, notebook, report, said))
         return marks
 

@@ -24,7 +24,7 @@ _CHILD_MEMORY = 2**30
 _CHILD_SECONDS = 60
 
 
-class Unreadable(Exception):  # noqa: N818 -- it says what the submission is
+class Unreadable(Exception):
     """A submission, or a part of it, cannot be read; the text is one sentence for the student."""
 
 

@@ -85,7 +85,7 @@ def _contents(texts: list[str], course: Course) -> Contents:
         for chapter in course.chapters:
             if any(f"{x.id.replace('.', '-')}-response" in asked for x in chapter.questions):
                 notebooks[chapter.name] = Notebook(cells=code, receipts={})
-    return Contents(notebooks=notebooks, sidecars={}, notes=[], fingerprint="")
+    return Contents(notebooks)
 
 
 def _prove_answer(course: Course, question: q.Question, answer: a.Answer) -> Iterator[str]:
