@@ -22,11 +22,16 @@ ANSWERS = Path("solutions/answers")
 class Settings:
     """The limits on student code, from ``[tool.autograder]`` in the course's pyproject.toml."""
 
-    notebook_seconds: float = 120.0
+    notebook_seconds: float = 120.0  # all cells together
+    cell_seconds: float = 30.0
     question_seconds: float = 20.0
-    memory_mb: int = 1024
-    output_mb: int = 8
-    submission_mb: int = 50
+    memory_mb: int = 1024  # beyond what the libraries need
+    processes: int = 64  # threads count too
+    files: int = 5000
+    files_mb: int = 64  # what the student's code may write
+    output_mb: int = 8  # what one response may come to
+    submission_mb: int = 100
+    submission_files: int = 2000
 
 
 @dataclass(frozen=True)
