@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from contextlib import ExitStack
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from queue import SimpleQueue
 from typing import Any
 
@@ -42,64 +42,115 @@ def grade_all(
     marker: Marker,
     jobs: int,
     done: Callable[[Graded], None],
-    sandbox: Callable[[Course], Sandbox] = Sandbox,
     questions: frozenset[str] | None = None,
+    known: Callable[[str, str], Graded | None] | None = None,
 ) -> None:
     """Grade submissions on ``jobs`` sandboxes at once and call ``done`` with each, as it is ready.
 
-    ``done`` is called on the calling thread. Only ``questions`` are marked, if they are given.
+    ``done`` is called on the calling thread, and so is ``known``, which returns what the work of a
+    student with some fingerprint was graded before: it is not run again. Only ``questions`` are
+    marked, if they are given.
     """
     with ExitStack() as stack:
         idle: SimpleQueue[Sandbox] = SimpleQueue()
         for _ in range(jobs):
             # On this thread: a sandbox ends with the thread that started it.
-            idle.put(stack.enter_context(sandbox(marker.course)))
+            idle.put(stack.enter_context(Sandbox(marker.course)))
         pool = stack.enter_context(ThreadPoolExecutor(jobs))
-        finished: SimpleQueue[Graded | BaseException] = SimpleQueue()
 
-        def grade(submission: Submission) -> None:
+        def grade(submission: Submission, contents: Contents) -> Graded:
             slot = idle.get()
             try:
-                finished.put(grade_submission(submission, marker, slot, questions))
-            except BaseException as error:
-                finished.put(error)
+                marks = grade_contents(contents, marker, slot, questions)
             finally:
                 idle.put(slot)
+            return Graded(
+                submission, "graded", contents.fingerprint, tuple(marks), tuple(contents.notes)
+            )
 
-        tasks = [pool.submit(grade, submission) for submission in submissions]
+        names = [chapter.name for chapter in marker.course.chapters]
+        tasks: set[Future[Graded]] = set()
         try:
-            for _ in tasks:
-                result = finished.get()
-                if isinstance(result, BaseException):
-                    raise result
-                done(result)
+            for submission in submissions:
+                try:
+                    contents = read_submission(submission, marker.course.settings, names)
+                except Unreadable as unreadable:
+                    done(_unreadable(submission, marker.course, str(unreadable), questions))
+                    continue
+                before = known(submission.student, contents.fingerprint) if known else None
+                if before is not None:
+                    done(before)
+                    continue
+                tasks.add(pool.submit(grade, submission, contents))
+                if len(tasks) > 2 * jobs:  # so that memory does not grow with the class
+                    tasks = _report_finished(tasks, done)
+            while tasks:
+                tasks = _report_finished(tasks, done)
         finally:
             for task in tasks:
                 task.cancel()
 
 
-def grade_submission(
-    submission: Submission,
+def _report_finished(
+    tasks: set[Future[Graded]], done: Callable[[Graded], None]
+) -> set[Future[Graded]]:
+    """Wait for a task to finish, report all that have, and return the others."""
+    finished, running = wait(tasks, return_when=FIRST_COMPLETED)
+    for task in finished:
+        done(task.result())
+    return running
+
+
+def _unreadable(
+    submission: Submission, course: Course, reason: str, questions: frozenset[str] | None
+) -> Graded:
+    marks = [
+        stopped(question, "unreadable", reason)
+        for question in course.questions.values()
+        if questions is None or question.id in questions
+    ]
+    return Graded(submission, "unreadable", "", tuple(marks), (reason,))
+
+
+def grade_contents(
+    contents: Contents,
     marker: Marker,
     sandbox: Sandbox,
     questions: frozenset[str] | None = None,
-) -> Graded:
-    """Grade one submission. Whatever is in it, this returns marks and raises nothing."""
-    course = marker.course
-    asked = [q for q in course.questions.values() if questions is None or q.id in questions]
-    try:
-        contents = read_submission(submission, course.settings)
-    except Unreadable as unreadable:
-        marks = tuple(stopped(question, "unreadable", str(unreadable)) for question in asked)
-        return Graded(submission, "unreadable", "", marks, (str(unreadable),))
-    marks = tuple(
+) -> list[Mark]:
+    """Mark the notebooks of one student, in the order of the course's questions."""
+    contents = _by_chapter(contents, marker.course)
+    return [
         mark
-        for chapter in course.chapters
+        for chapter in marker.course.chapters
         for mark in _grade_chapter(
-            chapter, [q for q in chapter.questions if q in asked], contents, marker, sandbox
+            chapter,
+            [q for q in chapter.questions if questions is None or q.id in questions],
+            contents,
+            marker,
+            sandbox,
         )
-    )
-    return Graded(submission, "graded", contents.fingerprint, marks, tuple(contents.notes))
+    ]
+
+
+def _by_chapter(contents: Contents, course: Course) -> Contents:
+    """The contents with every notebook under a chapter of the course.
+
+    A notebook whose name says nothing (``jacobi.ipynb``) is recognised by the questions it asks.
+    """
+    known = {chapter.name for chapter in course.chapters}
+    notebooks = {name: book for name, book in contents.notebooks.items() if name in known}
+    for name, notebook in contents.notebooks.items():
+        code = "\n".join(notebook.cells)
+        asked = {
+            chapter.name: sum(f'"{question.id}"' in code for question in chapter.questions)
+            for chapter in course.chapters
+            if chapter.name not in notebooks
+        }
+        likeliest = max(asked, key=lambda chapter: asked[chapter], default=None)
+        if name not in known and likeliest is not None and asked[likeliest] > 0:
+            notebooks[likeliest] = notebook
+    return replace(contents, notebooks=notebooks)
 
 
 def _grade_chapter(
@@ -132,12 +183,15 @@ def _grade_chapter(
         for question in asked:
             if isinstance(question, TrueFalse | Order):
                 marks.append(marker.mark(question.id, responses.get(question.id)))
+            elif chapter.name in contents.unreadable:
+                reason = contents.unreadable[chapter.name]
+                marks.append(stopped(question, "unreadable", reason))
             elif chapter.name not in contents.notebooks:
                 marks.append(not_attempted(question, "Its notebook was not handed in."))
             elif failure is not None:
                 marks.append(stopped(question, failure, _NOTEBOOK_STOPPED[failure]))
             else:
-                said = str(understood.get(question.name, ""))
+                said = str(understood.get(question.name or "", ""))
                 marks.append(_mark_named(question, session, marker, notebook, report, said))
         return marks
 

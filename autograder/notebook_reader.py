@@ -25,7 +25,7 @@ _CHILD_SECONDS = 60
 _TOO_LARGE = "is too large to be read; clear its outputs and save it again."
 
 
-class Unreadable(Exception):  # noqa: N818 -- it says what the submission is
+class Unreadable(Exception):
     """A submission, or a part of it, cannot be read; the text is one sentence for the student."""
 
 

@@ -165,7 +165,7 @@ def _read_choice(question: TrueFalse | Order, response: Any) -> list[Any]:
             f"{question.id} has {len(question.cards)} cards: respond with a list that names each "
             "card once, by the number or the id shown beside it. Nothing was changed."
         )
-    return response  # type: ignore[no-any-return]
+    return response
 
 
 def _record(

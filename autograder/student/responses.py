@@ -1,4 +1,4 @@
-"""Responses kept beside the notebooks: one JSON file a chapter, the truth about what was answered."""
+"""Responses kept beside the notebooks: one JSON file a chapter, the truth of what was answered."""
 
 from __future__ import annotations
 
