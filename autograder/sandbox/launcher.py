@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import sys
 import threading
-from typing import Any, Literal
+from typing import Any, Literal, cast
 
 from autograder.course import Course
 from autograder.errors import AutograderError
@@ -16,6 +16,7 @@ from autograder.sandbox.stopped import Stopped
 
 __all__ = ["Sandbox", "SandboxError", "Session", "Stopped"]
 
+Isolation = Literal["auto", "bubblewrap", "reduced", "none"]
 NO_SANDBOX = "none: a separate process with the instructor's rights (--no-sandbox)"
 
 if sys.platform == "linux":
@@ -31,18 +32,20 @@ class SandboxError(AutograderError):
 class Sandbox:
     """One worker slot; enter it on the main thread, use its sessions from one thread at a time.
 
-    ``isolation`` names what keeps student code in, for reports. With ``isolation="none"`` nothing
-    but a process of its own does. The same ``seed`` makes code that uses chance repeat itself.
+    ``isolation`` names what keeps student code in, for reports. It may be chosen: ``auto`` takes
+    the best of ``bubblewrap`` and ``reduced`` that works here, ``none`` is nothing but a process
+    of its own. The same ``seed`` makes code that uses chance repeat itself.
 
     Raises:
         SandboxError: on entering, if no isolation works here.
     """
 
-    def __init__(
-        self, course: Course, isolation: Literal["auto", "none"] = "auto", seed: int = 0
-    ) -> None:
+    isolation: str = NO_SANDBOX
+
+    def __init__(self, course: Course, isolation: Isolation = "auto", seed: int = 0) -> None:
         self._course = course
         self._seed = seed
+        self._wanted = isolation
         self._plain = isolation == "none"
         self._host: Any = None
         self._sessions: list[Any] = []
@@ -58,7 +61,7 @@ class Sandbox:
                 )
             from autograder.sandbox.tiers import best_tier
 
-            self._tier = best_tier(self._course)
+            self._tier = best_tier(self._course, self._wanted)
             self.isolation = self._tier.text
             self._host = self._tier.take_started() or self._tier.start()
         return self
@@ -75,7 +78,7 @@ class Sandbox:
         else:
             session = Session(self._take_host, self._course.settings, self._seed)
         self._sessions = [session]
-        return session  # type: ignore[no-any-return]
+        return cast("Session", session)
 
     def stop(self) -> None:
         """End everything at once; whoever waits for an answer gets `Stopped`."""

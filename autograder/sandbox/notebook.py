@@ -198,6 +198,6 @@ def _quiet_shell() -> Any:
     def do_nothing(self: Any, line: str = "", cell: str = "") -> None:
         """``%%bash`` and its like do nothing here."""
 
-    ScriptMagics.shebang = do_nothing  # type: ignore[method-assign]
+    ScriptMagics.shebang = do_nothing
     shell.register_magic_function(lambda line, cell: None, "cell", "script")
     return shell

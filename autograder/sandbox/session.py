@@ -17,7 +17,7 @@ from autograder.sandbox.host import Host, HostError, limits
 from autograder.sandbox.replies import clean_evaluation, clean_report
 from autograder.sandbox.stopped import Stopped
 
-GRACE = 2.0  # seconds between the child's own limit and the one kept here
+GRACE = 1.0  # seconds between the child's own limit and the one kept here
 MAX_STRAY = 1000  # messages that answer nothing before the channel counts as broken
 MAX_RESTARTS = 3
 

@@ -144,24 +144,26 @@ def tiers(course: Course) -> list[Tier]:
     ]
 
 
-_best: dict[Path, Tier] = {}
+_best: dict[tuple[Path, str], Tier] = {}
 _lock = Lock()
 
 
-def best_tier(course: Course) -> Tier:
-    """The best kind that works here, tried once a process and course.
+def best_tier(course: Course, wanted: str = "auto") -> Tier:
+    """The best kind that works here, or the one that is wanted; tried once a process and course.
 
     Raises:
         SandboxError: if none works; the sentence says why and what to do.
     """
     with _lock:
-        if course.root in _best:
-            tier = _best[course.root]
-            return Tier(tier.name, tier.with_namespaces, course, tier.text, tier.results)
+        tried = _best.get((course.root, wanted))
+        if tried is not None:
+            return Tier(tried.name, tried.with_namespaces, course, tried.text, tried.results)
         problems = []
         for tier in tiers(course):
+            if wanted not in ("auto", tier.name):
+                continue
             if tier.try_out():
-                _best[course.root] = tier
+                _best[course.root, wanted] = tier
                 return tier
             problems.append(f"{tier.name}: {tier.problem.rstrip('.')}")
     raise SandboxError(
