@@ -36,6 +36,7 @@ from autograder import ask, check, progress, submit
 # with a sign that tells the side. The wall $x = 2$ has $\alpha = 0$ and $r = 2$; the point $(5, 1)$ has the
 # distance $5 \cdot 1 + 1 \cdot 0 - 2 = 3$ from it.
 
+
 # %%
 class Line(NamedTuple):
     """A line x cos(alpha) + y sin(alpha) = r."""

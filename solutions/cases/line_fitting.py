@@ -1,0 +1,96 @@
+"""Inputs and comparison for `fit_line`."""
+
+import math
+from typing import Any
+
+import numpy as np
+
+Case = dict[str, Any]
+
+
+def fit_line_cases(rng: np.random.Generator) -> list[Case]:
+    """Return walls that together tell every known mistake from the reference."""
+    tilt = rng.uniform(0.3, 0.6)  # rad, keeps sloping walls away from both axes
+    cases: list[Case] = [
+        {
+            "name": "three points of 3x + 4y = 10",  # r = 2, alpha = atan(4/3)
+            "args": [np.array([[-2.0, 4.0], [2.0, 1.0], [6.0, -2.0]])],
+            "public": True,
+        },
+        {
+            "name": "a vertical wall",
+            "args": [np.array([[2.0, -1.0], [2.1, 0.0], [1.9, 1.0], [2.0, 2.0]])],
+            "public": True,
+        },
+        # Walls on all sides: about half of them have a normal that must be turned round.
+        *(
+            {"name": f"a sloping wall, {side}", "args": [_wall(rng, 3.0, turn + tilt)]}
+            for side, turn in (
+                ("ahead", 0.0),
+                ("on the left", math.pi / 2),
+                ("behind", math.pi),
+                ("on the right", -math.pi / 2),
+            )
+        ),
+        {"name": "a wall behind, to the right", "args": [_wall(rng, 3.0, -math.pi + tilt)]},
+        {"name": "a wall behind, to the left", "args": [_wall(rng, 3.0, math.pi - tilt)]},
+        {"name": "a vertical wall", "args": [_wall(rng, 4.0, 0.0)]},
+        {"name": "a vertical wall", "args": [_wall(rng, 4.0, math.pi)]},
+        {"name": "a horizontal wall", "args": [_wall(rng, 4.0, math.pi / 2)]},
+        {"name": "a horizontal wall", "args": [_wall(rng, 4.0, -math.pi / 2)]},
+        {"name": "a short, rough wall", "args": [_wall(rng, 2.0, tilt, length=0.5, noise=0.1)]},
+        {"name": "a wall through the origin", "args": [_wall(rng, 0.0, tilt)]},
+    ]
+    far = rng.uniform(0.8e6, 1.2e6, (3, 2)) * rng.choice([-1.0, 1.0], (3, 2))
+    cases += [
+        {"name": "a wall far from the origin (1000 km)", "args": [_wall(rng, 3.0, tilt) + offset]}
+        for offset in far
+    ]
+    for turn in (0.0, 2.0):
+        wall = _wall(rng, 3.0, turn + tilt)
+        weights = rng.uniform(0.1, 1.0, len(wall))
+        wall[::3] += 0.5  # the points that count least are off
+        weights[::3] *= 0.1
+        cases.append({"name": "weighted points", "args": [wall, weights]})
+    return cases
+
+
+def same_line(case: Case, expected: Any, actual: Any) -> bool:
+    """Tell whether `actual` is the line `expected`, to 1e-6 rad and 1e-6 of the points' reach.
+
+    Both numbers are compared as they are, so a negative r or an alpha outside (-pi, pi] does
+    not pass for its equal inside. Only what rounding may decide is forgiven: pi for -pi, and
+    the side that the normal of a line through the origin points to.
+    """
+    try:
+        r, alpha = (float(value) for value in actual)
+    except (TypeError, ValueError, OverflowError):
+        return False
+    if not (math.isfinite(r) and math.isfinite(alpha)):
+        return False
+    tolerance = 1e-6
+    reach = max(1.0, float(np.abs(case["args"][0]).max()))
+    turn = alpha - expected[1]
+    ends_of_range = max(abs(alpha), abs(expected[1])) <= math.pi + tolerance
+    through_origin = max(abs(r), abs(expected[0])) <= tolerance
+    if ends_of_range and through_origin:
+        turn = math.remainder(turn, math.pi)
+    elif ends_of_range and abs(turn) > 2 * (math.pi - tolerance):
+        turn = math.remainder(turn, 2 * math.pi)
+    return abs(turn) <= tolerance and abs(r - expected[0]) <= tolerance * reach
+
+
+def _wall(
+    rng: np.random.Generator,
+    r: float,
+    alpha: float,
+    length: float = 6.0,
+    noise: float = 0.02,
+    count: int = 40,
+) -> np.ndarray:
+    """Return (count, 2) points along a wall whose normal points in the direction alpha."""
+    normal = np.array([math.cos(alpha), math.sin(alpha)])
+    along = np.array([-normal[1], normal[0]])
+    positions = np.linspace(-0.5, 0.5, count) * length + rng.uniform(-1.0, 1.0)
+    offsets = r + rng.normal(0.0, noise, count)
+    return np.outer(offsets, normal) + np.outer(positions, along)

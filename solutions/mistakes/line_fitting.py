@@ -1,0 +1,79 @@
+"""What students write for `fit_line`, and what goes wrong."""
+
+import math
+
+import numpy as np
+
+from solutions.line_fitting import Line
+
+
+def _centred_sums(points, weights):
+    weights = np.ones(len(points)) if weights is None else weights
+    center = np.average(points, axis=0, weights=weights)
+    dx, dy = (points - center).T
+    return center, (weights * dx * dx).sum(), (weights * dx * dy).sum(), (weights * dy * dy).sum()
+
+
+def _line_through(center, alpha):
+    r = center[0] * math.cos(alpha) + center[1] * math.sin(alpha)
+    if r < 0:
+        r, alpha = -r, alpha + math.pi
+    return Line(r, alpha - 2 * math.pi if alpha > math.pi else alpha)
+
+
+def keeps_negative_radius(points, weights=None):
+    """The right line, but r may be negative."""
+    center, S_xx, S_xy, S_yy = _centred_sums(points, weights)
+    alpha = 0.5 * math.atan2(-2 * S_xy, S_yy - S_xx)
+    return Line(center[0] * math.cos(alpha) + center[1] * math.sin(alpha), alpha)
+
+
+def flips_only_the_radius(points, weights=None):
+    """Makes r positive without turning the normal round: a line on the other side."""
+    r, alpha = keeps_negative_radius(points, weights)
+    return Line(abs(r), alpha)
+
+
+def leaves_alpha_unwrapped(points, weights=None):
+    """Turns the normal round, but alpha may be above pi."""
+    r, alpha = keeps_negative_radius(points, weights)
+    return Line(r, alpha) if r >= 0 else Line(-r, alpha + math.pi)
+
+
+def plain_arctan(points, weights=None):
+    """The sheet's last formula as it stands: the worst line whenever Syy < Sxx."""
+    center, S_xx, S_xy, S_yy = _centred_sums(points, weights)
+    return _line_through(center, 0.5 * math.atan(-2 * S_xy / (S_yy - S_xx)))
+
+
+def does_not_centre(points, weights=None):
+    """Uses sums of x², xy and y² about the origin."""
+    weights = np.ones(len(points)) if weights is None else weights
+    x, y = points.T
+    S_xx, S_xy, S_yy = (weights * x * x).sum(), (weights * x * y).sum(), (weights * y * y).sum()
+    alpha = 0.5 * math.atan2(-2 * S_xy, S_yy - S_xx)
+    return _line_through(np.average(points, axis=0, weights=weights), alpha)
+
+
+def regresses_y_on_x(points, weights=None):
+    """Fits y = m x + b, so it measures distances along y."""
+    center, S_xx, S_xy, _ = _centred_sums(points, weights)
+    return _line_through(center, math.atan2(S_xx, -S_xy))  # the normal of (1, m), m = Sxy/Sxx
+
+
+def ignores_weights(points, weights=None):
+    """Treats all points alike."""
+    center, S_xx, S_xy, S_yy = _centred_sums(points, None)
+    return _line_through(center, 0.5 * math.atan2(-2 * S_xy, S_yy - S_xx))
+
+
+def subtracts_large_squares(points, weights=None):
+    """Centres after squaring (sum of x² - N xc²), which loses the digits of far points."""
+    weights = np.ones(len(points)) if weights is None else weights
+    x, y = points.T
+    N = weights.sum()
+    x_c, y_c = (weights * x).sum() / N, (weights * y).sum() / N
+    S_xx = (weights * x * x).sum() - N * x_c * x_c
+    S_xy = (weights * x * y).sum() - N * x_c * y_c
+    S_yy = (weights * y * y).sum() - N * y_c * y_c
+    return _line_through((x_c, y_c), 0.5 * math.atan2(-2 * S_xy, S_yy - S_xx))
