@@ -14,8 +14,8 @@ from itertools import pairwise
 
 import numpy as np
 
-from solutions.line_fitting import distances, fit_line
-from solutions.scan import Segment, Settings, breaks, make_segment, scan_points
+from solutions.line_fitting import Line, distances, fit_line, positions_along
+from solutions.scan import Segment, Settings, breaks, is_bend, is_wall, make_segment, scan_points
 from solutions.scan_lines import ScanSegments, split_and_merge_all
 from solutions.sequential_ransac import sequential_ransac
 
@@ -43,12 +43,12 @@ def split_and_merge(
     gaps = breaks(points, np.asarray(ranges)[beams], np.asarray(angles)[beams], settings)
     segments = []
     for run in np.split(np.arange(len(points)), np.flatnonzero(gaps) + 1):
-        pieces = [
-            run[first : last + 1] for first, last in split(points[run], settings.split_distance)
-        ]
-        for piece in _merge(points, pieces, settings.roughness):
-            segments.append(make_segment(points[piece], beams[piece], settings))
-    return [segment for segment in segments if segment is not None]
+        corners = split(points[run], settings.split_distance)
+        pieces = [run[first : last + 1] for first, last in corners]
+        pieces = _merge(points, pieces, settings.roughness)
+        for piece, line in _walls(points, pieces, settings):
+            segments.append(make_segment(points[piece], beams[piece], line, settings))
+    return segments
 
 
 def split(points: np.ndarray, distance: float) -> list[tuple[int, int]]:
@@ -91,3 +91,25 @@ def _roughness(points: np.ndarray) -> float:
         return round(math.sqrt(np.mean(distances(points, fit_line(points)) ** 2)), 4)
     except ValueError:  # a blob is not straight
         return math.inf
+
+
+def _walls(
+    points: np.ndarray, pieces: list[np.ndarray], settings: Settings
+) -> list[tuple[np.ndarray, Line]]:
+    """Return the pieces of one run that are walls, with their lines."""
+    lines = []
+    for piece in pieces:
+        if len(piece) >= settings.min_points // 2:
+            line = fit_line(points[piece])
+            start, end = positions_along(points[piece[[0, -1]]], line)
+            if abs(end - start) >= settings.min_length / 2:
+                lines.append((piece, line))
+    round_things = set()
+    for i, ((_, line), (_, next_line)) in enumerate(pairwise(lines)):
+        if is_bend(line.alpha, next_line.alpha, settings):
+            round_things |= {i, i + 1}
+    return [
+        (piece, line)
+        for i, (piece, line) in enumerate(lines)
+        if i not in round_things and is_wall(points[piece], line, settings)
+    ]

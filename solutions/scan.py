@@ -9,7 +9,6 @@ import numpy as np
 from solutions.line_fitting import (
     Line,
     distances,
-    fit_line,
     line_covariance,
     point_at,
     positions_along,
@@ -26,6 +25,9 @@ class Settings:
     min_points: int = 8
     min_length: float = 0.5  # m
     min_radius: float = 15.0  # m, what bends more is a round thing
+    # Neighbours that meet at an angle between these two are pieces of a round thing.
+    straight_angle: float = math.radians(8.0)
+    corner_angle: float = math.radians(40.0)
     max_range: float = 49.0  # m, at or beyond: no echo
     grazing_angle: float = math.radians(10.0)  # a wall seen at a smaller angle is broken up
 
@@ -108,15 +110,15 @@ def is_curved(
     return (height > by_chance) & (8 * height * settings.min_radius > length**2)
 
 
-def make_segment(points: np.ndarray, beams: np.ndarray, settings: Settings) -> Segment | None:
-    """Return the segment through the points, or None if they are no wall."""
-    if len(points) < settings.min_points:
-        return None
-    try:
-        line = fit_line(points)
-    except ValueError:  # a blob
-        return None
-    if not is_wall(points, line, settings):
-        return None
+def is_bend(
+    alpha: np.ndarray | float, next_alpha: np.ndarray | float, settings: Settings
+) -> np.ndarray | bool:
+    """Tell whether neighbouring lines meet at too small an angle for a corner of two walls."""
+    turn = np.abs(np.remainder(next_alpha - alpha + math.pi / 2, math.pi) - math.pi / 2)
+    return (turn > settings.straight_angle) & (turn < settings.corner_angle)
+
+
+def make_segment(points: np.ndarray, beams: np.ndarray, line: Line, settings: Settings) -> Segment:
+    """Return the segment of a line between the feet of its first and its last point."""
     start, end = point_at(positions_along(points[[0, -1]], line), line)
     return Segment(line, start, end, line_covariance(points, settings.sigma), beams)

@@ -11,7 +11,7 @@ from dataclasses import dataclass, fields
 import numpy as np
 
 from solutions.line_fitting import Line
-from solutions.scan import Segment, Settings, breaks, is_curved, is_echo
+from solutions.scan import Segment, Settings, breaks, is_bend, is_curved, is_echo
 from solutions.scan_runs import RunSums, merge_runs, split_runs
 
 AT_ONCE = 128  # scans: their arrays fit in the processor's cache
@@ -82,12 +82,18 @@ def _extract(
 
     sums = RunSums(x, y, scan, beam)
     first, last, run = split_runs(points, first, last, settings.split_distance)
-    first, last = merge_runs(sums, first, last, run, settings.roughness)
-    enough = last - first + 1 >= settings.min_points
-    first, last = first[enough], last[enough]
+    first, last, run = merge_runs(sums, first, last, run, settings.roughness)
+
+    enough = last - first + 1 >= settings.min_points // 2
+    first, last, run = first[enough], last[enough], run[enough]
 
     lines = _fit(sums, points, first, last, settings)
-    wall = lines.pop("is_wall")
+    wall = lines.pop("is_wall") & (last - first + 1 >= settings.min_points)
+    neighbours = np.flatnonzero(lines.pop("length") >= settings.min_length / 2)
+    left, right = neighbours[:-1], neighbours[1:]
+    bend = is_bend(lines["alpha"][left], lines["alpha"][right], settings)
+    bend &= run[left] == run[right]
+    wall[left[bend]] = wall[right[bend]] = False
     return ScanSegments(
         scan=first_scan + scan[first[wall]],
         first_beam=beam[first[wall]],
@@ -133,6 +139,7 @@ def _fit(
         "covariance": covariance,
         "start": foot + start * along,
         "end": foot + end * along,
+        "length": length,
         "is_wall": (R > 0)
         & (length >= settings.min_length)
         & (sums.roughness(first, last) <= settings.roughness)

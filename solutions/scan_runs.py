@@ -76,9 +76,9 @@ def split_runs(
 
 def merge_runs(
     sums: RunSums, first: np.ndarray, last: np.ndarray, run: np.ndarray, roughness: float
-) -> tuple[np.ndarray, np.ndarray]:
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Join the straightest two neighbours of every run at once, as long as they are straight."""
-    settled = [(first[:0], last[:0])]
+    settled = [(first[:0], last[:0], run[:0])]
     while len(first):
         cost = np.full(len(first), np.inf)  # of joining a piece with the next one
         pair = np.flatnonzero(run[:-1] == run[1:])
@@ -89,13 +89,13 @@ def merge_runs(
         cheapest = np.minimum.reduceat(cost, run_starts)
         goes_on = cheapest <= roughness  # the other runs are settled
         keep = np.repeat(goes_on, lengths)
-        settled.append((first[~keep], last[~keep]))
+        settled.append((first[~keep], last[~keep], run[~keep]))
 
         best = np.flatnonzero(keep & (cost == np.repeat(cheapest, lengths)))
         best = best[np.unique(run[best], return_index=True)[1]]
         last[best] = last[best + 1]
         keep[best + 1] = False
         first, last, run = first[keep], last[keep], run[keep]
-    first, last = (np.concatenate(parts) for parts in zip(*settled, strict=True))
+    first, last, run = (np.concatenate(parts) for parts in zip(*settled, strict=True))
     order = np.argsort(first)
-    return first[order], last[order]
+    return first[order], last[order], run[order]

@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from solutions.line_fitting import Line, positions_along
+from solutions.line_fitting import Line, fit_line, positions_along
 from solutions.ransac import ransac_line
-from solutions.scan import Segment, Settings, make_segment, scan_points
+from solutions.scan import Segment, Settings, is_wall, make_segment, scan_points
 
 
 def sequential_ransac(
@@ -32,9 +32,10 @@ def sequential_ransac(
         if found is None or len(found.inliers) < settings.min_points:
             break
         part = left[_longest_part(points[left], found.model, found.inliers, max_gap)]
-        segment = make_segment(points[part], beams[part], settings)
-        if segment is not None:
-            segments.append(segment)
+        if len(part) >= settings.min_points:
+            line = fit_line(points[part])
+            if is_wall(points[part], line, settings):
+                segments.append(make_segment(points[part], beams[part], line, settings))
         left = np.setdiff1d(left, part)
     return segments
 
