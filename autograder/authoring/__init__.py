@@ -1,0 +1,1 @@
+"""Writing the course: masters become notebooks, and the course proves itself."""

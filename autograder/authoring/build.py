@@ -1,0 +1,180 @@
+"""``autograder build``: student and solved notebooks from the masters."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import tempfile
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import nbformat
+from nbclient import NotebookClient
+from nbclient.exceptions import CellExecutionError
+from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
+
+from autograder.authoring.masters import Master, read_masters
+from autograder.authoring.stubs import exercise_cells
+from autograder.course import DEMO, Course
+from autograder.errors import CourseError
+
+STUDENT = Path("notebooks")
+SOLVED = Path("solutions/notebooks")
+_KERNEL = {
+    "kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
+    "language_info": {"name": "python"},
+}
+
+
+@dataclass(frozen=True)
+class Built:
+    """One notebook as it should be on disk."""
+
+    path: Path
+    text: str
+
+
+def build_student_notebooks(course: Course) -> list[Built]:
+    """What students open: stubs to fill in, no outputs."""
+    return [
+        _written(course, STUDENT / f"{master.stem}.ipynb", _assemble(course, master, solved=False))
+        for master in read_masters(course)
+    ]
+
+
+def build_solved_notebooks(
+    course: Course, before: Callable[[str], None] = lambda name: None
+) -> list[Built]:
+    """The same notebooks solved and executed, with their outputs but without pictures.
+
+    ``before`` is called with each notebook's name before it runs.
+
+    Raises:
+        CourseError: if a cell raises; the sentence names the notebook and the exception.
+    """
+    built = []
+    for master in read_masters(course):
+        before(master.stem)
+        notebook = _assemble(course, master, solved=True)
+        _execute(notebook, course, master.stem)
+        built.append(_written(course, SOLVED / f"{master.stem}.ipynb", notebook))
+    return built
+
+
+def unexecuted_solved_notebooks(course: Course) -> list[Built]:
+    """The solved notebooks before they run: what `is_stale` compares sources with."""
+    return [
+        _written(course, SOLVED / f"{master.stem}.ipynb", _assemble(course, master, solved=True))
+        for master in read_masters(course)
+    ]
+
+
+def stale_notebooks(course: Course) -> list[Path]:
+    """The committed notebooks that differ from what the masters give.
+
+    Of a solved notebook the sources and metadata are compared here; its outputs are compared by
+    nbval, which runs it.
+    """
+    stale = [
+        built.path
+        for built in build_student_notebooks(course)
+        if _on_disk(built.path) != built.text
+    ]
+    for built in unexecuted_solved_notebooks(course):
+        if _without_outputs(_on_disk(built.path)) != built.text:
+            stale.append(built.path)
+    expected = {built.path.name for built in build_student_notebooks(course)}
+    for folder in (STUDENT, SOLVED):
+        stale += [
+            path for path in (course.root / folder).glob("*.ipynb") if path.name not in expected
+        ]
+    return sorted(stale)
+
+
+def write(built: list[Built]) -> list[Path]:
+    """Write what differs from the disk; returns the paths written."""
+    changed = [entry for entry in built if _on_disk(entry.path) != entry.text]
+    for entry in changed:
+        entry.path.parent.mkdir(parents=True, exist_ok=True)
+        entry.path.write_text(entry.text, encoding="utf-8")
+    return [entry.path for entry in changed]
+
+
+def _assemble(course: Course, master: Master, solved: bool) -> Any:
+    """The notebook's cells, each with an id that stays the same when others come or go."""
+    notebook = new_notebook(metadata=_KERNEL)
+    counters = {"markdown": 0, "code": 0}
+    for cell in master.cells:
+        if cell.exercise is None:
+            kind = "markdown" if cell.kind == "markdown" else "code"
+            counters[kind] += 1
+            make = new_markdown_cell if kind == "markdown" else new_code_cell
+            metadata = {"tags": [DEMO]} if cell.demo else {}
+            notebook.cells.append(
+                make(cell.source, id=f"{kind}-{counters[kind]}", metadata=metadata)
+            )
+            continue
+        question = course.question(cell.exercise)
+        exercise = exercise_cells(course, question)
+        slug = question.id.replace(".", "-")
+        notebook.cells.append(new_markdown_cell(exercise.heading, id=f"{slug}-question"))
+        source = exercise.solved if solved else exercise.stub
+        notebook.cells.append(new_code_cell(source, id=f"{slug}-response"))
+        if exercise.check is not None:
+            notebook.cells.append(new_code_cell(exercise.check, id=f"{slug}-check"))
+    return notebook
+
+
+def _execute(notebook: Any, course: Course, stem: str) -> None:
+    folder = course.root / SOLVED
+    folder.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory() as responses:
+        # Responses of the author's own must neither be read nor overwritten.
+        environment = {**os.environ, "AUTOGRADER_RESPONSES": responses}
+        client = NotebookClient(
+            notebook,
+            timeout=600,
+            kernel_name="python3",
+            resources={"metadata": {"path": folder}},
+        )
+        try:
+            # The kernel's own warnings concern its ports, not the author.
+            client.execute(env=environment, stderr=subprocess.DEVNULL)
+        except CellExecutionError as error:
+            raise CourseError(f"The solved {stem} raises {error.ename}: {error.evalue}.") from None
+    notebook.metadata = nbformat.from_dict(_KERNEL)  # without this machine's Python version
+    for cell in notebook.cells:
+        cell.metadata.pop("execution", None)
+        if cell.cell_type == "code":
+            cell.outputs = [kept for output in cell.outputs if (kept := _without_images(output))]
+
+
+def _without_images(output: Any) -> Any:
+    """The output without pictures, which change with every version of Matplotlib."""
+    if output.output_type not in ("display_data", "execute_result"):
+        return output
+    if any(kind.startswith("image/") for kind in output.data):
+        return None
+    return output
+
+
+def _written(course: Course, path: Path, notebook: Any) -> Built:
+    nbformat.validate(notebook)
+    return Built(course.root / path, nbformat.writes(notebook, version=4) + "\n")
+
+
+def _on_disk(path: Path) -> str:
+    return path.read_text(encoding="utf-8") if path.exists() else ""
+
+
+def _without_outputs(text: str) -> str:
+    if not text:
+        return ""
+    notebook = nbformat.from_dict(json.loads(text))
+    for cell in notebook.cells:
+        if cell.cell_type == "code":
+            cell.outputs, cell.execution_count = [], None
+    return nbformat.writes(notebook, version=4) + "\n"

@@ -1,0 +1,89 @@
+"""The masters ``notebooks/source/*.py``: prose and cells, with one line for each exercise."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import jupytext
+
+from autograder.course import Chapter, Course
+from autograder.errors import CourseError, UsageError
+
+MASTERS = Path("notebooks/source")
+
+
+@dataclass(frozen=True)
+class MasterCell:
+    """A cell of a master: Markdown, code, or an exercise (then ``exercise`` is its id).
+
+    ``demo`` says that the cell only shows something: no response needs it, and the grader leaves
+    it out where it is unchanged.
+    """
+
+    kind: str
+    source: str
+    exercise: str | None = None
+    demo: bool = False
+
+
+@dataclass(frozen=True)
+class Master:
+    """One master; ``chapter`` is None for a notebook without questions."""
+
+    path: Path
+    chapter: Chapter | None
+    cells: tuple[MasterCell, ...]
+
+    @property
+    def stem(self) -> str:
+        """The notebook's file name without its ending, such as ``3_ransac``."""
+        return self.path.stem
+
+
+def read_masters(course: Course) -> list[Master]:
+    """Every master of the course, in order.
+
+    Raises:
+        CourseError: if a question is asked twice, in the wrong chapter, or never, or if an
+            exercise cell holds anything.
+    """
+    paths = sorted((course.root / MASTERS).glob("*.py"))
+    if not paths:
+        raise CourseError(f"There are no masters in {course.root / MASTERS}; write N_CHAPTER.py.")
+    masters = [_read_master(course, path) for path in paths]
+    placed = [cell.exercise for master in masters for cell in master.cells if cell.exercise]
+    for id in course.questions:
+        if placed.count(id) != 1:
+            raise CourseError(
+                f"{id} is asked {placed.count(id)} times in {MASTERS}; "
+                f'give it exactly one cell # %% exercise="{id}".'
+            )
+    return masters
+
+
+def _read_master(course: Course, path: Path) -> Master:
+    name = path.stem.partition("_")[2]
+    chapter = next((chapter for chapter in course.chapters if chapter.name == name), None)
+    notebook = jupytext.read(path, fmt="py:percent")
+    cells = []
+    for cell in notebook.cells:
+        exercise = cell.metadata.get("exercise")
+        if exercise is not None:
+            try:
+                question = course.question(exercise)
+            except UsageError:
+                raise CourseError(
+                    f"{path.name} asks {exercise!r}, which is in no file of notebooks/questions."
+                ) from None
+            if chapter is None or question.chapter != chapter.name:
+                raise CourseError(
+                    f"{path.name} asks {exercise}, which belongs to {question.chapter}; move it."
+                )
+            if cell.source.strip():
+                raise CourseError(
+                    f"The exercise {exercise} in {path.name} holds code; leave its cell empty."
+                )
+        demo = cell.metadata.get("demo") is True
+        cells.append(MasterCell(cell.cell_type, cell.source, exercise, demo))
+    return Master(path, chapter, tuple(cells))

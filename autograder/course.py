@@ -1,0 +1,246 @@
+"""The course on disk: where it is, its chapters and questions, its key and its settings."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import tomllib
+from dataclasses import dataclass, fields, replace
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+from autograder.answers import Answer, answer_from_table
+from autograder.errors import CourseError, UsageError
+from autograder.questions import Question, question_from_table
+
+QUESTIONS = Path("notebooks/questions")
+ANSWERS = Path("solutions/answers")
+DEMO = "demo"  # the tag of a cell that only shows something
+
+
+@dataclass(frozen=True)
+class Settings:
+    """The limits on student code, from ``[tool.autograder]`` in the course's pyproject.toml."""
+
+    notebook_seconds: float = 120.0  # all cells together
+    cell_seconds: float = 30.0
+    question_seconds: float = 20.0
+    memory_mb: int = 1024  # beyond what the libraries need
+    processes: int = 64  # threads count too
+    files: int = 5000
+    files_mb: int = 64  # what the student's code may write
+    output_mb: int = 8  # what one response may come to
+    submission_mb: int = 100
+    submission_files: int = 2000
+
+
+@dataclass(frozen=True)
+class Chapter:
+    """One notebook with its questions, in the order in which they are asked."""
+
+    name: str
+    title: str
+    questions: tuple[Question, ...]
+
+
+@dataclass(frozen=True)
+class Course:
+    """The notebooks, questions and answers under one folder, the course root."""
+
+    root: Path
+    chapters: tuple[Chapter, ...]
+    settings: Settings
+
+    @cached_property
+    def questions(self) -> dict[str, Question]:
+        """Every question by its id, in the order of the course."""
+        return {
+            question.id: question for chapter in self.chapters for question in chapter.questions
+        }
+
+    def question(self, id: str) -> Question:
+        """The question with this id.
+
+        Raises:
+            UsageError: if there is none; the sentence lists the ids that exist.
+        """
+        try:
+            return self.questions[id]
+        except (KeyError, TypeError):
+            raise UsageError(
+                f"There is no question {id!r}; this course has {', '.join(self.questions)}."
+            ) from None
+
+    def chapter(self, name: str) -> Chapter:
+        """The chapter with this name."""
+        return next(chapter for chapter in self.chapters if chapter.name == name)
+
+    @property
+    def has_key(self) -> bool:
+        """Whether the answers are at hand, as in the whole repository but not in a bundle."""
+        return (self.root / ANSWERS).is_dir()
+
+    @cached_property
+    def key(self) -> dict[str, Answer]:
+        """The answer to every question.
+
+        Raises:
+            CourseError: if an answer is missing, left over or does not fit its question.
+        """
+        if not self.has_key:
+            raise CourseError(
+                f"There is no key in {self.root / ANSWERS}; "
+                "marking needs the whole repository, not the student bundle."
+            )
+        key: dict[str, Answer] = {}
+        for chapter in self.chapters:
+            path = self.root / ANSWERS / f"{chapter.name}.toml"
+            tables = _read_toml(path, f"write the answers to {chapter.name}.toml there")
+            asked = {question.id: question for question in chapter.questions}
+            for id in asked.keys() - tables.keys():
+                raise CourseError(f"{id} has no answer; add one to {path.relative_to(self.root)}.")
+            for id in tables.keys() - asked.keys():
+                raise CourseError(
+                    f"{path.relative_to(self.root)} answers {id}, which nobody asks; "
+                    f"add the question to {QUESTIONS / path.name} or remove the answer."
+                )
+            key |= {id: answer_from_table(tables[id], asked[id]) for id in asked}
+        return key
+
+    @cached_property
+    def demo_cells(self) -> frozenset[str]:
+        """The sources of the cells that only show something, from the handed-out notebooks.
+
+        A submission that left them unchanged is graded without running them.
+        """
+        cells = [
+            cell
+            for path in (self.root / "notebooks").glob("*.ipynb")
+            for cell in json.loads(path.read_text(encoding="utf-8"))["cells"]
+            if DEMO in cell["metadata"].get("tags", ())
+        ]
+        return frozenset("".join(cell["source"]) for cell in cells)
+
+    @cached_property
+    def version(self) -> str:
+        """A fingerprint of everything that can change a mark."""
+        digest = hashlib.sha256()
+        for folder, pattern in (
+            (QUESTIONS, "*.toml"),
+            (ANSWERS, "*.toml"),
+            ("solutions", "**/*.py"),
+        ):
+            for path in sorted((self.root / folder).glob(pattern)):
+                digest.update(str(path.relative_to(self.root)).encode() + b"\0")
+                digest.update(path.read_bytes() + b"\0")
+        return digest.hexdigest()[:16]
+
+
+def find_course_root(start: Path | None = None) -> Path:
+    """The nearest folder, from ``start`` (default: here) upwards, that holds a course.
+
+    The environment variable ``AUTOGRADER_COURSE`` names it outright.
+
+    Raises:
+        CourseError: if there is none.
+    """
+    given = os.environ.get("AUTOGRADER_COURSE")
+    if given and start is None:
+        return Path(given)
+    here = (start or Path.cwd()).resolve()
+    for folder in (here, *here.parents):
+        if (folder / QUESTIONS).is_dir():
+            return folder
+    raise CourseError(
+        f"There is no course in {here} or above it (a folder with {QUESTIONS}); "
+        "change to the course's folder, or name it with --course."
+    )
+
+
+def load_course(root: Path | None = None) -> Course:
+    """Read the questions and settings of the course at ``root`` (default: found from here).
+
+    Raises:
+        CourseError: if a file cannot be read, or an id or a variable is used twice.
+    """
+    root = find_course_root() if root is None else find_course_root(root)
+    chapters = []
+    for path in sorted((root / QUESTIONS).glob("*.toml"), key=_chapter_position(root)):
+        table = _read_toml(path, "write it, or remove the file")
+        unknown = table.keys() - {"title", "question"}
+        if unknown or not isinstance(table.get("title"), str):
+            raise CourseError(
+                f"{path.relative_to(root)} needs a title and [[question]] tables, nothing else."
+            )
+        entries = table.get("question", [])
+        if not (isinstance(entries, list) and all(isinstance(entry, dict) for entry in entries)):
+            raise CourseError(
+                f"{path.relative_to(root)}: each question is a table that begins with [[question]]."
+            )
+        questions = tuple(question_from_table(entry, path.stem) for entry in entries)
+        chapters.append(Chapter(path.stem, table["title"], questions))
+    if not chapters:
+        raise CourseError(f"{root / QUESTIONS} holds no questions; add a CHAPTER.toml.")
+    _reject_duplicates(chapters)
+    return Course(root, tuple(chapters), _read_settings(root))
+
+
+def _reject_duplicates(chapters: list[Chapter]) -> None:
+    placed: dict[str, str] = {}
+    for chapter in chapters:
+        stored: dict[str, str] = {}
+        file = f"{chapter.name}.toml"
+        for question in chapter.questions:
+            if question.id in placed:
+                files = " and ".join(dict.fromkeys([placed[question.id], file]))
+                raise CourseError(
+                    f"Two questions have the id {question.id} (in {files}); rename one."
+                )
+            placed[question.id] = file
+            if question.name is None:
+                continue
+            if question.name in stored:
+                raise CourseError(
+                    f"{stored[question.name]} and {question.id} in {file} both store their "
+                    f"response in {question.name!r}; rename one, or the later cell would "
+                    "overwrite the earlier."
+                )
+            stored[question.name] = question.id
+
+
+def _chapter_position(root: Path) -> Any:
+    """Sort key: the number in the master's file name, so chapters stand as in the notebooks."""
+    numbers = {
+        path.stem.partition("_")[2]: path.stem
+        for path in (root / "notebooks").glob("[0-9]*_*.ipynb")
+    } | {
+        path.stem.partition("_")[2]: path.stem
+        for path in (root / "notebooks/source").glob("[0-9]*_*.py")
+    }
+    return lambda path: numbers.get(path.stem, "~" + path.stem)
+
+
+def _read_toml(path: Path, missing: str) -> dict[str, Any]:
+    try:
+        return tomllib.loads(path.read_text(encoding="utf-8"))
+    except FileNotFoundError:
+        raise CourseError(f"{path} is missing; {missing}.") from None
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+        raise CourseError(f"{path} cannot be read: {error}.") from None
+
+
+def _read_settings(root: Path) -> Settings:
+    path = root / "pyproject.toml"
+    if not path.exists():
+        return Settings()
+    table = _read_toml(path, "").get("tool", {}).get("autograder", {})
+    known = {field.name for field in fields(Settings)}
+    for name, value in table.items():
+        if name not in known or not isinstance(value, int | float) or value <= 0:
+            raise CourseError(
+                f"[tool.autograder] in {path} has {name} = {value!r}; "
+                f"allowed are positive numbers for {', '.join(sorted(known))}."
+            )
+    return replace(Settings(), **table)

@@ -1,0 +1,244 @@
+"""Grades submissions: runs each notebook in a sandbox, asks for the responses and marks them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable
+from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
+from contextlib import ExitStack
+from dataclasses import dataclass, replace
+from queue import SimpleQueue
+from typing import Any
+
+from autograder.course import Chapter, Course
+from autograder.marker import Marker
+from autograder.marking import Mark, not_attempted, stopped
+from autograder.questions import Order, Question, TrueFalse
+from autograder.sandbox.launcher import Sandbox, Session, Stopped
+from autograder.submissions import Contents, Notebook, Submission, Unreadable, read_submission
+
+
+@dataclass(frozen=True)
+class Graded:
+    """The marks of one submission, in the order of the course's questions.
+
+    ``status`` is ``graded`` or ``unreadable``; ``notes`` say what was odd about the files.
+    """
+
+    submission: Submission
+    status: str
+    fingerprint: str
+    marks: tuple[Mark, ...]
+    notes: tuple[str, ...] = ()
+
+    @property
+    def total(self) -> float:
+        """The points earned."""
+        return round(sum(mark.points for mark in self.marks), 2)
+
+
+def grade_all(
+    submissions: Iterable[Submission],
+    marker: Marker,
+    jobs: int,
+    done: Callable[[Graded], None],
+    questions: frozenset[str] | None = None,
+    known: Callable[[str, str], Graded | None] | None = None,
+) -> None:
+    """Grade submissions on ``jobs`` sandboxes at once and call ``done`` with each, as it is ready.
+
+    ``done`` is called on the calling thread, and so is ``known``, which returns what the work of a
+    student with some fingerprint was graded before: it is not run again. Only ``questions`` are
+    marked, if they are given.
+    """
+    with ExitStack() as stack:
+        idle: SimpleQueue[Sandbox] = SimpleQueue()
+        for _ in range(jobs):
+            # On this thread: a sandbox ends with the thread that started it.
+            idle.put(stack.enter_context(Sandbox(marker.course)))
+        pool = stack.enter_context(ThreadPoolExecutor(jobs))
+
+        def grade(submission: Submission, contents: Contents) -> Graded:
+            slot = idle.get()
+            try:
+                marks = grade_contents(contents, marker, slot, questions)
+            finally:
+                idle.put(slot)
+            return Graded(
+                submission, "graded", contents.fingerprint, tuple(marks), tuple(contents.notes)
+            )
+
+        names = [chapter.name for chapter in marker.course.chapters]
+        tasks: set[Future[Graded]] = set()
+        try:
+            for submission in submissions:
+                try:
+                    contents = read_submission(submission, marker.course.settings, names)
+                except Unreadable as unreadable:
+                    done(_unreadable(submission, marker.course, str(unreadable), questions))
+                    continue
+                before = known(submission.student, contents.fingerprint) if known else None
+                if before is not None:
+                    done(before)
+                    continue
+                tasks.add(pool.submit(grade, submission, contents))
+                if len(tasks) > 2 * jobs:  # so that memory does not grow with the class
+                    tasks = _report_finished(tasks, done)
+            while tasks:
+                tasks = _report_finished(tasks, done)
+        finally:
+            for task in tasks:
+                task.cancel()
+
+
+def _report_finished(
+    tasks: set[Future[Graded]], done: Callable[[Graded], None]
+) -> set[Future[Graded]]:
+    """Wait for a task to finish, report all that have, and return the others."""
+    finished, running = wait(tasks, return_when=FIRST_COMPLETED)
+    for task in finished:
+        done(task.result())
+    return running
+
+
+def _unreadable(
+    submission: Submission, course: Course, reason: str, questions: frozenset[str] | None
+) -> Graded:
+    marks = [
+        stopped(question, "unreadable", reason)
+        for question in course.questions.values()
+        if questions is None or question.id in questions
+    ]
+    return Graded(submission, "unreadable", "", tuple(marks), (reason,))
+
+
+def grade_contents(
+    contents: Contents,
+    marker: Marker,
+    sandbox: Sandbox,
+    questions: frozenset[str] | None = None,
+) -> list[Mark]:
+    """Mark the notebooks of one student, in the order of the course's questions."""
+    contents = _by_chapter(contents, marker.course)
+    return [
+        mark
+        for chapter in marker.course.chapters
+        for mark in _grade_chapter(
+            chapter,
+            [q for q in chapter.questions if questions is None or q.id in questions],
+            contents,
+            marker,
+            sandbox,
+        )
+    ]
+
+
+def _by_chapter(contents: Contents, course: Course) -> Contents:
+    """The contents with every notebook under a chapter of the course.
+
+    A notebook whose name says nothing (``jacobi.ipynb``) is recognised by the questions it asks.
+    """
+    known = {chapter.name for chapter in course.chapters}
+    notebooks = {name: book for name, book in contents.notebooks.items() if name in known}
+    for name, notebook in contents.notebooks.items():
+        code = "\n".join(notebook.cells)
+        asked = {
+            chapter.name: sum(f'"{question.id}"' in code for question in chapter.questions)
+            for chapter in course.chapters
+            if chapter.name not in notebooks
+        }
+        likeliest = max(asked, key=lambda chapter: asked[chapter], default=None)
+        if name not in known and likeliest is not None and asked[likeliest] > 0:
+            notebooks[likeliest] = notebook
+    return replace(contents, notebooks=notebooks)
+
+
+def _grade_chapter(
+    chapter: Chapter,
+    asked: list[Question],
+    contents: Contents,
+    marker: Marker,
+    sandbox: Sandbox,
+) -> list[Mark]:
+    if not asked:
+        return []
+    notebook = contents.notebooks.get(chapter.name, Notebook(cells=[], receipts={}))
+    cells = [cell for cell in notebook.cells if cell not in marker.course.demo_cells]
+    given = {
+        id: entry.get("response") for id, entry in contents.sidecars.get(chapter.name, {}).items()
+    }
+    with sandbox.session() as session:
+        names = [question.name for question in asked if question.name]
+        report: dict[str, Any] = {}
+        failure = None
+        try:
+            if cells:
+                report = session.run(cells, names)
+        except Stopped as stop:
+            failure = stop.status
+        # What the student's widgets wrote is the truth; the code's own `respond` and the receipts
+        # in the outputs stand in where it is missing.
+        responses = {**notebook.receipts, **_dictionary(report.get("responses")), **given}
+        understood = _dictionary(report.get("understood"))
+        marks = []
+        for question in asked:
+            if isinstance(question, TrueFalse | Order):
+                marks.append(marker.mark(question.id, responses.get(question.id)))
+            elif chapter.name in contents.unreadable:
+                reason = contents.unreadable[chapter.name]
+                marks.append(stopped(question, "unreadable", reason))
+            elif chapter.name not in contents.notebooks:
+                marks.append(not_attempted(question, "Its notebook was not handed in."))
+            elif failure is not None:
+                marks.append(stopped(question, failure, _NOTEBOOK_STOPPED[failure]))
+            else:
+                said = str(understood.get(question.name or "", ""))
+                marks.append(_mark_named(question, session, marker, cells, report, said))
+        return marks
+
+
+_NOTEBOOK_STOPPED = {
+    "timeout": "Running the notebook took longer than the time limit.",
+    "killed": "The notebook's process ended while it ran: too much memory, a crash, or an exit.",
+}
+
+
+def _mark_named(
+    question: Question,
+    session: Session,
+    marker: Marker,
+    cells: list[str],
+    report: dict[str, Any],
+    understood: str,
+) -> Mark:
+    """Mark a response that a variable or a function of the notebook holds."""
+    assert question.name is not None
+    try:
+        response = session.evaluate(question.name, marker.probe(question.id).sent)
+    except Stopped as stop:
+        return stopped(question, stop.status)
+    reason = response.get("reason")
+    missing = isinstance(reason, str) and reason == "missing"
+    if missing and _defining_cell_failed(question.name, cells, report):
+        return stopped(
+            question,
+            "error",
+            f"The cell that should define {question.name} raised an exception. "
+            "Restart the kernel, run all cells, and mend the first one that fails.",
+        )
+    return marker.mark(question.id, response, understood)
+
+
+def _defining_cell_failed(name: str, cells: list[str], report: dict[str, Any]) -> bool:
+    defines = re.compile(rf"^\s*(def\s+{name}\b|{name}\s*(:[^=\n]*)?=[^=])", re.MULTILINE)
+    errors = report.get("errors")
+    if not isinstance(errors, list):
+        return False
+    return any(
+        error is not None and defines.search(cell)
+        for cell, error in zip(cells, errors, strict=False)
+    )
+
+
+def _dictionary(value: Any) -> dict[str, Any]:
+    return value if isinstance(value, dict) else {}

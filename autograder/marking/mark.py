@@ -1,0 +1,94 @@
+"""The verdict on one response."""
+
+from __future__ import annotations
+
+from dataclasses import asdict, dataclass
+from typing import Any
+
+from autograder.questions import Question
+
+STATUSES = (
+    "right",
+    "partial",
+    "wrong",
+    "not attempted",
+    "error",  # the student's code raised
+    "timeout",
+    "killed",  # memory, crash
+    "unreadable",  # the submission could not be opened
+    "recorded",  # no key here to mark it with
+)
+
+
+@dataclass(frozen=True)
+class Part:
+    """The verdict on one statement or kind of input; ``right`` is None where nothing was said."""
+
+    label: str
+    right: bool | None
+    feedback: str
+
+
+@dataclass(frozen=True)
+class Mark:
+    """The verdict on one response.
+
+    ``credit`` runs from 0 to 1; ``alternative`` names the recognised response or mistake.
+    ``feedback`` says what to do next and never contains a hidden input; ``explanation`` gives the
+    answer away and is shown only where the key is at hand or the instructor allows it.
+    """
+
+    question: str
+    status: str
+    credit: float
+    max_points: float
+    feedback: str
+    alternative: str | None = None
+    parts: tuple[Part, ...] = ()
+    explanation: str = ""
+    understood: str = ""
+
+    def __post_init__(self) -> None:
+        if self.status not in STATUSES:
+            raise ValueError(f"{self.status!r} is no status of a mark")
+        if not 0 <= self.credit <= 1:
+            raise ValueError(f"credit {self.credit} is not between 0 and 1")
+
+    @property
+    def points(self) -> float:
+        """What the response earns, to two decimals."""
+        return round(self.credit * self.max_points, 2)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain data, for the wire and the gradebook."""
+        return asdict(self)
+
+    @classmethod
+    def from_dict(cls, fields: dict[str, Any]) -> Mark:
+        """The mark that `to_dict` wrote."""
+        parts = tuple(Part(**part) for part in fields["parts"])
+        return cls(**{**fields, "parts": parts})
+
+
+def status_for(credit: float) -> str:
+    """``right`` for full credit, ``wrong`` for none, ``partial`` between."""
+    return "right" if credit == 1 else "partial" if credit > 0 else "wrong"
+
+
+def not_attempted(question: Question, feedback: str = "Nothing was answered yet.") -> Mark:
+    """The mark of an untouched question."""
+    return Mark(question.id, "not attempted", 0.0, question.points, feedback)
+
+
+_STOPPED = {
+    "error": "Running it raised an exception.",
+    "timeout": "It took longer than the time limit; look for a loop that never ends.",
+    "killed": "The process that ran it ended: too much memory, a crash, or an exit.",
+    "unreadable": "The submission could not be opened.",
+    "recorded": "Recorded. It will be marked after you hand in.",
+}
+
+
+def stopped(question: Question, status: str, feedback: str = "") -> Mark:
+    """The mark of a question that could not be marked, with its reason."""
+    return Mark(question.id, status, 0.0, question.points, feedback or _STOPPED[status])

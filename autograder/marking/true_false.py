@@ -1,0 +1,64 @@
+"""Statements called true or false."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from autograder.answers import TrueFalseAnswer
+from autograder.marking.mark import Mark, Part, not_attempted, status_for, stopped
+from autograder.questions import TrueFalse
+
+
+def mark_true_false(question: TrueFalse, answer: TrueFalseAnswer, response: Any) -> Mark:
+    """One point for each statement called right; a statement left open earns nothing.
+
+    ``response`` is a list of True, False or None (open), one for each statement.
+    """
+    if not fits_true_false(question, response):
+        return stopped(
+            question,
+            "unreadable",
+            f"The stored response is no list of {len(question.statements)} true or false.",
+        )
+    if all(said is None for said in response):
+        return not_attempted(question)
+    parts = []
+    for number, (said, key) in enumerate(zip(response, answer.statements, strict=True), 1):
+        if said is None:
+            parts.append(Part(f"Statement {number}", None, "Not answered yet."))
+        elif said == key.truth:
+            parts.append(Part(f"Statement {number}", True, ""))
+        else:
+            parts.append(Part(f"Statement {number}", False, key.misconception))
+    right = sum(part.right is True for part in parts)
+    credit = right / len(parts)
+    feedback = f"{right} of {len(parts)} statements right."
+    wrong = [part.label for part in parts if part.right is False]
+    if wrong:
+        feedback += " Look again at " + ", ".join(label.lower() for label in wrong) + "."
+    explanation = "\n".join(
+        f"{number}. {'True' if key.truth else 'False'}. {key.explanation}"
+        for number, key in enumerate(answer.statements, 1)
+    )
+    if answer.explanation:
+        explanation += f"\n\n{answer.explanation}"
+    return Mark(
+        question.id,
+        status_for(credit),
+        credit,
+        question.points,
+        feedback,
+        alternative="right" if credit == 1 else None,
+        parts=tuple(parts),
+        explanation=explanation,
+        understood=", ".join({True: "true", False: "false", None: "–"}[said] for said in response),
+    )
+
+
+def fits_true_false(question: TrueFalse, response: Any) -> bool:
+    """Whether the response is a list of True, False or None, one for each statement."""
+    return (
+        isinstance(response, list | tuple)
+        and len(response) == len(question.statements)
+        and all(said is None or isinstance(said, bool) for said in response)
+    )

@@ -1,0 +1,219 @@
+"""Reads an untrusted notebook file: its code, and the receipts among its outputs.
+
+Only the standard library is used, and nothing of the notebook is run. Run as a program it reads a
+notebook from standard input under a memory limit, which is how `read_large_notebook` keeps a file
+made to exhaust memory away from the grader.
+"""
+
+from __future__ import annotations
+
+import gc
+import json
+import subprocess
+import sys
+from dataclasses import dataclass, field
+from typing import Any
+
+RECEIPT = "application/vnd.autograder.response+json"
+LARGE = 4 * 2**20  # bytes; JSON of this size needs at most about 150 MB while it is read
+MAX_CELLS = 2000
+MAX_CODE = 2 * 2**20  # characters in all code cells together
+MAX_RESPONSE = 20_000  # characters of one response as JSON
+MAX_DEPTH = 32
+_CHILD_MEMORY = 2**30
+_CHILD_SECONDS = 60
+_TOO_LARGE = "is too large to be read; clear its outputs and save it again."
+
+
+class Unreadable(Exception):
+    """A submission, or a part of it, cannot be read; the text is one sentence for the student."""
+
+
+@dataclass(frozen=True)
+class Notebook:
+    """What is taken from a notebook: its code cells in order, and its receipts by question id."""
+
+    cells: list[str]
+    receipts: dict[str, Any] = field(default_factory=dict)
+    notes: list[str] = field(default_factory=list)
+
+
+def read_notebook(data: bytes, name: str = "the notebook") -> Notebook:
+    """Read the bytes of an ``.ipynb`` file of nbformat 4, or of 3 and 2 with their worksheets.
+
+    Raises:
+        Unreadable: if they are no notebook; the sentence says why.
+    """
+    return _read_large(data, name) if len(data) > LARGE else parse_notebook(data, name)
+
+
+def parse_notebook(data: bytes, name: str) -> Notebook:
+    """Read a notebook in this process.
+
+    Raises:
+        Unreadable: as `read_notebook`.
+    """
+    document = parse_json(data, name)
+    if not isinstance(document, dict):
+        raise Unreadable(
+            f"{name} is no notebook: it holds {_kind(document)} of JSON; save it again."
+        )
+    sheets = document.get("worksheets")
+    if isinstance(document.get("cells"), list):
+        cells = document["cells"]
+    elif isinstance(sheets, list):
+        cells = [
+            cell
+            for sheet in sheets
+            if isinstance(sheet, dict) and isinstance(sheet.get("cells"), list)
+            for cell in sheet["cells"]
+        ]
+    else:
+        raise Unreadable(f"{name} is no notebook: it has no list of cells; save it from Jupyter.")
+
+    sources: list[str] = []
+    receipts: dict[str, Any] = {}
+    notes: list[str] = []
+    if document.get("nbformat") in (2, 3):
+        notes.append(f"{name} is in an old notebook format (nbformat {document['nbformat']}).")
+    for cell in cells:
+        if not isinstance(cell, dict):
+            notes.append(f"{name} holds a cell that is no cell; it was left out.")
+        elif cell.get("cell_type") == "code":
+            sources.append(_source(cell))
+            receipts |= _receipts(cell)
+    if len(sources) > MAX_CELLS:
+        raise Unreadable(f"{name} has more than {MAX_CELLS} code cells.")
+    if sum(map(len, sources)) > MAX_CODE:
+        raise Unreadable(f"{name} has more than {MAX_CODE // 2**20} million characters of code.")
+    return Notebook(sources, receipts, list(dict.fromkeys(notes)))
+
+
+def parse_json(data: bytes, name: str) -> Any:
+    """The JSON in untrusted bytes, as UTF-8 or UTF-16 and with or without a byte order mark.
+
+    Raises:
+        Unreadable: if it is none.
+    """
+    if not data.strip():
+        raise Unreadable(f"{name} is empty; save it again before handing it in.")
+    try:
+        encoding = json.detect_encoding(data)
+        text = data.decode(encoding)
+    except UnicodeDecodeError:
+        raise Unreadable(f"{name} is not text; hand in the .ipynb file itself.") from None
+    try:
+        return json.loads(text)
+    except json.JSONDecodeError as error:
+        if error.pos >= len(text.rstrip()) - 1 or error.msg.startswith("Unterminated"):
+            raise Unreadable(
+                f"{name} is cut off after {len(text)} characters; copy or upload it again."
+            ) from None
+        raise Unreadable(
+            f"{name} is damaged (line {error.lineno}: {error.msg.lower()}); save it again."
+        ) from None
+    except MemoryError:
+        raise Unreadable(f"{name} {_TOO_LARGE}") from None
+    except (RecursionError, ValueError):  # ValueError: an integer of 5,000 digits
+        raise Unreadable(f"{name} holds data that no notebook holds; save it again.") from None
+
+
+def plain_response(value: Any, depth: int = 0) -> Any:
+    """A response from an untrusted file as clean JSON: strings are valid text, numbers are finite.
+
+    Raises:
+        ValueError: if it is nested too deeply.
+    """
+    if depth > MAX_DEPTH:
+        raise ValueError("nested too deeply")
+    if isinstance(value, str):
+        return value.encode("utf-8", "replace").decode()
+    if isinstance(value, list):
+        return [plain_response(entry, depth + 1) for entry in value]
+    if isinstance(value, dict):
+        return {
+            plain_response(str(key)): plain_response(entry, depth + 1)
+            for key, entry in value.items()
+        }
+    if isinstance(value, float) and not (abs(value) < float("inf")):
+        return None
+    return value
+
+
+def keep_response(id: Any, response: Any) -> dict[str, Any]:
+    """``{id: response}`` if both are what a course can hold, else an empty dictionary."""
+    if not isinstance(id, str) or not 0 < len(id) <= 40 or not id.isprintable():
+        return {}
+    try:
+        plain = plain_response(response)
+        return {id: plain} if len(json.dumps(plain)) <= MAX_RESPONSE else {}
+    except (ValueError, RecursionError):
+        return {}
+
+
+def _source(cell: dict[str, Any]) -> str:
+    source = cell.get("source", cell.get("input", ""))
+    if isinstance(source, list):
+        return "".join(line for line in source if isinstance(line, str))
+    return source if isinstance(source, str) else ""
+
+
+def _receipts(cell: dict[str, Any]) -> dict[str, Any]:
+    found: dict[str, Any] = {}
+    outputs = cell.get("outputs")
+    for output in outputs if isinstance(outputs, list) else ():
+        data = output.get("data") if isinstance(output, dict) else None
+        receipt = data.get(RECEIPT) if isinstance(data, dict) else None
+        if isinstance(receipt, dict) and "response" in receipt:
+            found |= keep_response(receipt.get("question"), receipt["response"])
+    return found
+
+
+def _kind(document: Any) -> str:
+    return {list: "a list", str: "a text", type(None): "nothing"}.get(type(document), "a number")
+
+
+def _read_large(data: bytes, name: str) -> Notebook:
+    """Read it in a process that may use only so much memory and time."""
+    try:
+        done = subprocess.run(
+            [sys.executable, "-I", "-S", __file__],
+            input=data,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL,
+            timeout=_CHILD_SECONDS,
+            check=False,
+        )
+        reply = json.loads(done.stdout) if done.returncode == 0 else {}
+    except (subprocess.TimeoutExpired, ValueError):
+        reply = {}
+    if "reason" in reply:
+        raise Unreadable(reply["reason"].replace("\0", name))
+    if "cells" not in reply:
+        raise Unreadable(f"{name} {_TOO_LARGE}")
+    notes = [note.replace("\0", name) for note in reply["notes"]]
+    return Notebook(reply["cells"], reply["receipts"], notes)
+
+
+def _main() -> None:
+    gc.disable()  # what JSON gives holds no cycles, and looking for them takes most of the time
+    try:
+        import resource
+
+        resource.setrlimit(resource.RLIMIT_AS, (_CHILD_MEMORY, _CHILD_MEMORY))
+    except ImportError:  # Windows
+        pass
+    try:
+        notebook = parse_notebook(sys.stdin.buffer.read(), "\0")
+        reply = {
+            "cells": notebook.cells,
+            "receipts": notebook.receipts,
+            "notes": notebook.notes,
+        }
+    except Unreadable as unreadable:
+        reply = {"reason": str(unreadable)}
+    json.dump(reply, sys.stdout)
+
+
+if __name__ == "__main__":
+    _main()

@@ -1,0 +1,98 @@
+"""Where student code runs: the best isolation that works here, found by trying.
+
+`Sandbox` and `Session` are all that the rest of the autograder knows of isolation. Student code
+never runs in this process, and only plain data comes back.
+"""
+
+from __future__ import annotations
+
+import sys
+import threading
+from typing import Any, Literal, cast
+
+from autograder.course import Course
+from autograder.errors import AutograderError
+from autograder.sandbox.stopped import Stopped
+
+__all__ = ["Sandbox", "SandboxError", "Session", "Stopped"]
+
+Isolation = Literal["auto", "bubblewrap", "reduced", "none"]
+NO_SANDBOX = "none: a separate process with the instructor's rights (--no-sandbox)"
+
+if sys.platform == "linux":
+    from autograder.sandbox.session import Session
+else:
+    from autograder.sandbox.plain import PlainSession as Session
+
+
+class SandboxError(AutograderError):
+    """Student code cannot be kept in here; the sentence says why and what to do."""
+
+
+class Sandbox:
+    """One worker slot; enter it on the main thread, use its sessions from one thread at a time.
+
+    ``isolation`` names what keeps student code in, for reports. It may be chosen: ``auto`` takes
+    the best of ``bubblewrap`` and ``reduced`` that works here, ``none`` is nothing but a process
+    of its own. The same ``seed`` makes code that uses chance repeat itself.
+
+    Raises:
+        SandboxError: on entering, if no isolation works here.
+    """
+
+    isolation: str = NO_SANDBOX
+
+    def __init__(self, course: Course, isolation: Isolation = "auto", seed: int = 0) -> None:
+        self._course = course
+        self._seed = seed
+        self._wanted = isolation
+        self._plain = isolation == "none"
+        self._host: Any = None
+        self._sessions: list[Any] = []
+        self._stopped = threading.Event()
+        self.isolation = NO_SANDBOX
+
+    def __enter__(self) -> Sandbox:
+        if not self._plain:
+            if sys.platform != "linux":
+                raise SandboxError(
+                    "Submissions can be kept in only on Linux (on Windows use WSL, on a Mac a "
+                    "Linux container); --no-sandbox grades them with your own rights."
+                )
+            from autograder.sandbox.tiers import best_tier
+
+            self._tier = best_tier(self._course, self._wanted)
+            self.isolation = self._tier.text
+            self._host = self._tier.take_started() or self._tier.start()
+        return self
+
+    def __exit__(self, *exception: object) -> None:
+        self.stop()
+
+    def session(self) -> Session:
+        """A fresh process for one notebook of one submission; use it as a context manager."""
+        if self._plain:
+            from autograder.sandbox.plain import PlainSession
+
+            session: Any = PlainSession(self._course)
+        else:
+            session = Session(self._take_host, self._course.settings, self._seed)
+        self._sessions = [session]
+        return cast("Session", session)
+
+    def stop(self) -> None:
+        """End everything at once; whoever waits for an answer gets `Stopped`."""
+        self._stopped.set()
+        if self._host is not None:
+            self._host.stop()
+        for session in self._sessions:
+            if self._plain:
+                session.stop()
+
+    def _take_host(self) -> Any:
+        """The host of this slot; a new one if the last had to be stopped."""
+        if self._stopped.is_set():
+            raise Stopped("killed", "grading was stopped")
+        if self._host.is_stopped:
+            self._host = self._tier.start()
+        return self._host

@@ -1,0 +1,147 @@
+"""``ask``, ``check``, ``progress`` and ``submit``."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from pathlib import Path
+from typing import Any
+
+from autograder.course import find_course_root, load_course
+from autograder.errors import AutograderError, UsageError
+from autograder.questions import Order, TrueFalse
+from autograder.student import unsaved
+from autograder.student.choices import read_choice
+from autograder.student.desk import Desk
+from autograder.student.frontend import widgets_wanted
+from autograder.student.live import Live
+from autograder.student.marker_client import marker_for
+from autograder.student.responses import answered, responses_folder
+from autograder.student.submission import pack_submission
+from autograder.student.views import MarkView, ProgressView, QuestionView, SubmissionView
+
+MISSING: Any = object()
+
+unsaved.watch()
+
+
+@lru_cache(maxsize=1)
+def _desk_at(root: Path) -> Desk:
+    return Desk(load_course(root))
+
+
+def _desk() -> Desk:
+    desk = _desk_at(find_course_root())
+    for sentence in desk.mend():
+        print(sentence)
+    return desk
+
+
+class Asked(QuestionView):
+    """A question on show; ``respond`` answers it."""
+
+    def respond(self, response: Any) -> Any:
+        """Record a response and mark it.
+
+        A true/false question takes a list of True, False or None; an order question a list of
+        card ids or of the numbers shown beside the cards; any other the value itself.
+        """
+        return _try(lambda: _respond(self.question.id, response))
+
+
+def ask(id: str) -> Any:
+    """Show a question.
+
+    Args:
+        id: such as ``"Q1.1"``.
+    """
+    return _try(lambda: _ask(id))
+
+
+def check(id: str, response: Any = MISSING) -> Any:
+    """Mark a response: a value, an expression or a function, as the question asks.
+
+    For a true/false or an order question, leave the response out: what was answered there is
+    marked.
+    """
+    return _try(lambda: _check(id, response))
+
+
+def progress() -> Any:
+    """Show the points so far, chapter by chapter."""
+    return _try(lambda: _progress())
+
+
+def submit() -> Any:
+    """Pack the notebooks and responses into ``submission.zip`` and say what is unanswered."""
+    return _try(lambda: _submit())
+
+
+def _try(action: Any) -> Any:
+    """Say what is wrong in one sentence: a traceback would bury it."""
+    try:
+        return action()
+    except AutograderError as error:
+        print(error)
+        return None
+
+
+def _shown(view: Any, widget: str, *arguments: Any) -> Any:
+    """The view itself, or a widget where one can be drawn."""
+    return Live(view, widget, *arguments) if widgets_wanted() else view
+
+
+def _ask(id: str) -> Any:
+    desk = _desk()
+    question = desk.course.question(id)
+    marker_for(desk.course)  # starts marking in the background while the student reads
+    view = Asked(question, desk.entry(question).get("response"))
+    return _shown(view, "question_widget", desk, question)
+
+
+def _respond(id: str, response: Any) -> Any:
+    desk = _desk()
+    question = desk.course.question(id)
+    if not isinstance(question, TrueFalse | Order):
+        return _check(id, response)
+    chosen = read_choice(question, response)
+    desk.keep(question, lambda before: chosen)
+    return MarkView(question, desk.mark_choice(question), chosen)
+
+
+def _check(id: str, response: Any) -> Any:
+    desk = _desk()
+    question = desk.course.question(id)
+    if isinstance(question, TrueFalse | Order):
+        if response is not MISSING:
+            return _respond(id, response)
+        chosen = desk.entry(question).get("response")
+        return MarkView(question, desk.mark_choice(question, count=False), chosen)
+    if response is MISSING:
+        raise UsageError(f'Give your response too: check("{id}", {question.name}).')
+    mark = desk.mark_value(question, response)
+    view = MarkView(question, mark, desk.entry(question).get("response"))
+    return _shown(view, "value_widget", desk, question, response, mark)
+
+
+def _progress() -> Any:
+    desk = _desk()
+    return _shown(ProgressView(desk.course, desk.entries()), "progress_widget", desk)
+
+
+def _submit() -> Any:
+    desk = _desk()
+    view = _pack(desk)
+    return _shown(view, "submission_widget", desk, view, lambda: _pack(desk))
+
+
+def _pack(desk: Desk) -> SubmissionView:
+    packed = pack_submission(desk.course, responses_folder(desk.course.root))
+    entries = desk.entries()
+    unanswered = [
+        question
+        for question in desk.course.questions.values()
+        if not answered(entries[question.chapter].get(question.id))
+    ]
+    return SubmissionView(
+        packed, unanswered, len(desk.course.questions), unsaved.changed_notebook(packed.path.parent)
+    )

@@ -1,0 +1,55 @@
+"""The process that marks for a notebook: ``python -m autograder.student.marker_process``.
+
+It holds the key where the solutions are at hand, and answers two messages on standard input:
+``{"do": "probe", "question": id}`` with what the kernel has to evaluate, and
+``{"do": "mark", "question": id, "response": ..., "understood": ...}`` with the mark. The key
+itself never leaves this process, and nothing of the student's runs in it.
+"""
+
+from __future__ import annotations
+
+import os
+import secrets
+import sys
+from typing import Any
+
+from autograder.course import load_course
+from autograder.errors import AutograderError
+from autograder.marker import Marker
+from autograder.sandbox import wire
+
+
+def main() -> None:
+    """Serve until standard input closes."""
+    requests, replies = sys.stdin.buffer, os.fdopen(os.dup(1), "wb")
+    # A reference that prints must not disturb the channel.
+    os.dup2(2, 1)
+    marker = Marker(load_course(), seed=secrets.randbits(32))
+
+    def read_exactly(count: int) -> bytes:
+        data = requests.read(count)
+        if len(data) < count:
+            raise EOFError
+        return data
+
+    while True:
+        try:
+            message = wire.read_message(read_exactly)
+        except EOFError:
+            return
+        replies.write(wire.encode(_answer(marker, message)))
+        replies.flush()
+
+
+def _answer(marker: Marker, message: dict[str, Any]) -> dict[str, Any]:
+    id = message["question"]
+    try:
+        if message["do"] == "probe":
+            return {"sent": marker.probe(id).sent}
+        return {"mark": marker.mark(id, message["response"], message["understood"]).to_dict()}
+    except AutograderError as error:
+        return {"error": str(error)}
+
+
+if __name__ == "__main__":
+    main()

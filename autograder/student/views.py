@@ -1,0 +1,204 @@
+"""How questions, marks and progress look in a notebook: Markdown, with plain text beside it."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from autograder.course import Course
+from autograder.marking.mark import Mark
+from autograder.questions import Expression, Order, Question, TrueFalse
+from autograder.student.choices import in_words
+from autograder.student.receipts import RECEIPT, receipt
+from autograder.student.responses import answered, points
+from autograder.student.submission import Packed
+
+SIGNS = {
+    "right": "✓",
+    "partial": "◐",
+    "wrong": "✗",
+    "not attempted": "○",
+    "recorded": "●",
+}
+
+
+def number(value: float) -> str:
+    """Points without needless zeros."""
+    return f"{value:.2f}".rstrip("0").rstrip(".")
+
+
+def plural(count: float, noun: str) -> str:
+    """``1 point``, ``2 points``."""
+    return f"{number(count)} {noun}" + ("" if count == 1 else "s")
+
+
+class _View:
+    """Something to show, in Markdown and in plain text, maybe with a receipt for the grader."""
+
+    def lines(self) -> list[str]:
+        """The Markdown, line by line."""
+        raise NotImplementedError
+
+    def receipt(self) -> dict[str, Any] | None:
+        """What the grader may read from the saved output."""
+        return None
+
+    def _repr_mimebundle_(self, include: Any = None, exclude: Any = None) -> dict[str, Any]:
+        bundle: dict[str, Any] = {
+            "text/plain": repr(self),
+            "text/markdown": "\n".join(self.lines()),
+        }
+        receipt = self.receipt()
+        if receipt is not None:
+            bundle[RECEIPT] = receipt
+        return bundle
+
+    def __repr__(self) -> str:
+        text = "\n".join(self.lines()).replace("**", "")
+        text = text.replace("<details><summary>Explanation</summary>\n", "Explanation:")
+        return text.replace("\n\n</details>", "")
+
+
+class QuestionView(_View):
+    """A question with its prompt, statements or cards, and the response so far."""
+
+    def __init__(self, question: Question, response: Any = None) -> None:
+        self.question = question
+        self.response = response
+
+    def lines(self) -> list[str]:
+        question = self.question
+        lines = [
+            f"**{question.id} · {question.title}** · {plural(question.points, 'point')}",
+            "",
+            question.prompt,
+            "",
+        ]
+        if isinstance(question, TrueFalse):
+            said = self.response or [None] * len(question.statements)
+            words = {True: " → **true**", False: " → **false**", None: ""}
+            lines += [
+                f"{n}. {statement}{words[choice]}"
+                for n, (statement, choice) in enumerate(
+                    zip(question.statements, said, strict=False), 1
+                )
+            ]
+            example = ", ".join(["True", "False", "..."])
+            lines += ["", f'Answer with `ask("{question.id}").respond([{example}])`.']
+        elif isinstance(question, Order):
+            lines += [f"{n}. {card.text} (`{card.id}`)" for n, card in enumerate(question.cards, 1)]
+            if self.response:
+                lines += ["", "Your order: " + in_words(question, self.response)]
+            lines += [
+                "",
+                f'Answer with `ask("{question.id}").respond([...])`: '
+                "the cards' numbers, in the order you want.",
+            ]
+        else:
+            if isinstance(question, Expression):
+                lines += [f"- `{name}`: {meaning}" for name, meaning in question.symbols] + [""]
+            lines.append(f'Check it with `check("{question.id}", {question.name})`.')
+        return lines
+
+    def receipt(self) -> dict[str, Any] | None:
+        if self.response is None:
+            return None
+        return receipt(self.question.id, self.response)
+
+
+class MarkView(_View):
+    """A mark with its feedback; the explanation is folded away."""
+
+    def __init__(self, question: Question, mark: Mark, response: Any) -> None:
+        self.question = question
+        self.mark = mark
+        self.response = response
+
+    def lines(self) -> list[str]:
+        mark = self.mark
+        sign = SIGNS.get(mark.status, "!")
+        earned = (
+            ""
+            if mark.status == "recorded"
+            else f" · {number(mark.points)} of {plural(mark.max_points, 'point')}"
+        )
+        lines = [f"**{sign} {mark.question} {mark.status}**{earned}", "", mark.feedback]
+        wrong = [part for part in mark.parts if part.feedback and part.right is not True]
+        if isinstance(self.question, TrueFalse):
+            lines += ["", *(f"- {part.label}: {part.feedback}" for part in wrong)] if wrong else []
+        if mark.explanation and mark.status in ("right", "partial", "wrong"):
+            lines += [
+                "",
+                "<details><summary>Explanation</summary>",
+                "",
+                mark.explanation,
+                "",
+                "</details>",
+            ]
+        return lines
+
+    def receipt(self) -> dict[str, Any] | None:
+        if self.response is None:
+            return None
+        return receipt(self.question.id, self.response)
+
+
+class ProgressView(_View):
+    """Points so far, chapter by chapter."""
+
+    def __init__(self, course: Course, entries: dict[str, dict[str, dict[str, Any]]]) -> None:
+        self.course = course
+        self.entries = entries
+
+    def lines(self) -> list[str]:
+        lines = ["| chapter | answered | points |", "|:--|--:|--:|"]
+        total, most = 0.0, 0.0
+        for chapter in self.course.chapters:
+            entries = self.entries[chapter.name]
+            earned = sum(points(entries.get(question.id)) for question in chapter.questions)
+            possible = sum(question.points for question in chapter.questions)
+            count = sum(answered(entries.get(question.id)) for question in chapter.questions)
+            lines.append(
+                f"| {chapter.title} | {count} of {len(chapter.questions)} "
+                f"| {number(earned)} of {number(possible)} |"
+            )
+            total, most = total + earned, most + possible
+        return [*lines, f"| **together** | | **{number(total)} of {number(most)}** |"]
+
+    def __repr__(self) -> str:
+        rows = [line.strip("| ").replace("**", "").split("|") for line in self.lines()]
+        cells = [[cell.strip() for cell in row] for row in rows if not row[0].startswith(":")]
+        return "\n".join(f"{row[0]:<24}{row[1]:>10}{row[2]:>14}" for row in cells)
+
+
+class SubmissionView(_View):
+    """What was packed and what is unanswered."""
+
+    def __init__(
+        self, packed: Packed, unanswered: list[Question], count: int, unsaved: str | None = None
+    ) -> None:
+        self.packed = packed
+        self.unanswered = unanswered
+        self.count = count
+        self.unsaved = unsaved
+
+    def lines(self) -> list[str]:
+        notebooks = [name for name in self.packed.names if name.endswith(".ipynb")]
+        lines = [
+            f"**{self.packed.path.name}** holds {plural(len(notebooks), 'notebook')} and your "
+            "responses, as last saved. Hand in this file.",
+            "",
+        ]
+        if self.unsaved:
+            lines += [
+                f"**Not saved yet:** {self.unsaved} differs from what you ran last. "
+                "Save it and call `submit()` again.",
+                "",
+            ]
+        if not self.unanswered:
+            return [*lines, f"All {self.count} questions are answered."]
+        ids = ", ".join(question.id for question in self.unanswered)
+        return [
+            *lines,
+            f"Unanswered or not checked: {len(self.unanswered)} of {self.count} ({ids}). "
+            "You can still answer them and call `submit()` again.",
+        ]

@@ -1,0 +1,84 @@
+# %% [markdown]
+# # Start here
+#
+# A robot drives round a campus and down a long corridor. It has two senses.
+#
+# - Its **camera** takes photographs. Has it been here before? (Chapter 1, place recognition)
+# - Its **laser** measures distances in a plane. Where are the walls? (Chapter 2, line fitting)
+# - Half of what both report is wrong: a tree that looks like another tree, a person in front of
+#   the wall. Which half? (Chapter 3, RANSAC)
+#
+# At the end you will be able to
+#
+# - build a search engine for photographs that tells a robot where it is,
+# - derive the line that is closest to a set of points, and say how certain it is,
+# - find lines and planes among mostly wrong measurements, and compute how long that takes,
+# - draw a map of a building from what a laser saw.
+#
+# You need linear algebra, a little calculus, and Python with NumPy. You need no robotics.
+
+# %% [markdown]
+# ## Is everything installed?
+#
+# Click on the next cell and press Shift and Enter. It should answer with one line that says so.
+
+# %%
+import cv2
+import numpy as np
+import sympy as sp
+
+from autograder import ask, check, progress, submit
+
+print("Everything is installed. You can begin.")
+
+# %% [markdown]
+# ## How to answer
+#
+# There are five kinds of question. Each has its own number, and you can answer it again as often
+# as you like.
+#
+# | kind | what you do |
+# |---|---|
+# | true or false | click a choice for each statement |
+# | order | drag the cards until their order is right |
+# | number | replace `...` by a number, or by Python that computes one |
+# | expression | replace `...` by a formula of symbols |
+# | function | replace `raise NotImplementedError` by your code |
+#
+# Below a number, an expression or a function stands a cell `check(...)`. Run it: it tells you
+# what it made of your answer. Hints come one at a time, when you ask for them.
+#
+# Here is how a formula is written. First come the symbols, then an expression of them:
+
+# %%
+width, height = sp.symbols("width height", positive=True)
+area = width * height
+area
+
+# %% [markdown]
+# `sp.sin(width)`, `sp.cos(width)`, `sp.sqrt(width)` and `width**2` work as you would expect. It does
+# not matter in which form you write a formula: `height * width` is the same answer.
+#
+# Your answers are stored as you give them. You may close the notebook, restart its kernel or clear
+# its outputs, and they are still there.
+
+# %% [markdown]
+# ## How far you are, and how to hand in
+#
+# At any time:
+
+# %%
+progress()
+
+# %% [markdown]
+# When you are done, or when time is up, open a new cell and run `submit()`. It writes the file
+# `submission.zip` and lists what you have not answered yet. Hand in that file. You may hand in
+# unfinished work: what is not answered counts as not attempted, nothing worse.
+#
+# ## Where to go
+#
+# 1. [Place recognition](1_place_recognition.ipynb)
+# 2. [Line fitting](2_line_fitting.ipynb)
+# 3. [RANSAC](3_ransac.ipynb)
+#
+# The chapters belong together but do not need each other: begin where you like.
