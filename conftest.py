@@ -1,4 +1,4 @@
-"""What every test run needs, above all that no notebook touches the responses of whoever runs it."""
+"""What every test run needs, above all that no notebook touches the developer's own responses."""
 
 from __future__ import annotations
 
