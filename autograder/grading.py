@@ -7,7 +7,7 @@ import time
 from collections.abc import Callable, Iterable
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from contextlib import ExitStack
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from queue import SimpleQueue
 from typing import Any
 
@@ -123,6 +123,7 @@ def grade_contents(
     questions: frozenset[str] | None = None,
 ) -> list[Mark]:
     """Mark the notebooks of one student, in the order of the course's questions."""
+    contents = _by_chapter(contents, marker.course)
     return [
         mark
         for chapter in marker.course.chapters
@@ -134,6 +135,26 @@ def grade_contents(
             sandbox,
         )
     ]
+
+
+def _by_chapter(contents: Contents, course: Course) -> Contents:
+    """The contents with every notebook under a chapter of the course.
+
+    A notebook whose name says nothing (``jacobi.ipynb``) is recognised by the questions it asks.
+    """
+    known = {chapter.name for chapter in course.chapters}
+    notebooks = {name: book for name, book in contents.notebooks.items() if name in known}
+    for name, notebook in contents.notebooks.items():
+        code = "\n".join(notebook.cells)
+        asked = {
+            chapter.name: sum(f'"{question.id}"' in code for question in chapter.questions)
+            for chapter in course.chapters
+            if chapter.name not in notebooks
+        }
+        likeliest = max(asked, key=lambda chapter: asked[chapter], default=None)
+        if name not in known and likeliest is not None and asked[likeliest] > 0:
+            notebooks[likeliest] = notebook
+    return replace(contents, notebooks=notebooks)
 
 
 def _grade_chapter(

@@ -22,6 +22,7 @@ MAX_RESPONSE = 20_000  # characters of one response as JSON
 MAX_DEPTH = 32
 _CHILD_MEMORY = 2**30
 _CHILD_SECONDS = 60
+_TOO_LARGE = "is too large to be read; clear its outputs and save it again."
 
 
 class Unreadable(Exception):
@@ -111,7 +112,9 @@ def parse_json(data: bytes, name: str) -> Any:
         raise Unreadable(
             f"{name} is damaged (line {error.lineno}: {error.msg.lower()}); save it again."
         ) from None
-    except (RecursionError, MemoryError, ValueError):  # ValueError: an integer of 5,000 digits
+    except MemoryError:
+        raise Unreadable(f"{name} {_TOO_LARGE}") from None
+    except (RecursionError, ValueError):  # ValueError: an integer of 5,000 digits
         raise Unreadable(f"{name} holds data that no notebook holds; save it again.") from None
 
 
@@ -187,7 +190,7 @@ def _read_large(data: bytes, name: str) -> Notebook:
     if "reason" in reply:
         raise Unreadable(reply["reason"].replace("\0", name))
     if "cells" not in reply:
-        raise Unreadable(f"{name} is too large to be read; clear its outputs and save it again.")
+        raise Unreadable(f"{name} {_TOO_LARGE}")
     notes = [note.replace("\0", name) for note in reply["notes"]]
     return Notebook(reply["cells"], reply["receipts"], notes)
 

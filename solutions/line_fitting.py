@@ -56,6 +56,35 @@ def fit_line(points: np.ndarray, weights: np.ndarray | None = None) -> Line:
     return Line(r, alpha)
 
 
+def line_covariance(
+    points: np.ndarray, sigma: float | np.ndarray, weights: np.ndarray | None = None
+) -> np.ndarray:
+    """Return the (2, 2) covariance of (r, alpha) of the fitted line, in m², m rad and rad².
+
+    `sigma` is the standard deviation of the points' coordinates in metres, the same in all
+    directions: one number, or one for each point. `weights` are those of `fit_line`. To first
+    order in sigma: right as long as sigma is small against the length of the cloud.
+    """
+    points = np.asarray(points, dtype=float)
+    alpha = fit_line(points, weights).alpha
+    weights = np.ones(len(points)) if weights is None else np.asarray(weights, dtype=float)
+    center = np.average(points, axis=0, weights=weights)
+
+    # Coordinates across and along the line, from the centre.
+    normal = np.array([math.cos(alpha), math.sin(alpha)])
+    along = np.array([-math.sin(alpha), math.cos(alpha)])
+    a, b = (points - center) @ normal, (points - center) @ along
+
+    # alpha solves sum(weights a b) = 0: its derivative by each point's x and y is (N, 2).
+    d_alpha = -weights[:, None] * (np.outer(b, normal) + np.outer(a, along))
+    d_alpha /= np.sum(weights * (b * b - a * a))
+    # r = normal . center: the centre moves, and the normal turns under it.
+    d_r = np.outer(weights / weights.sum(), normal) + (along @ center) * d_alpha
+
+    jacobian = np.stack([d_r, d_alpha]) * np.broadcast_to(sigma, len(points))[:, None]
+    return np.einsum("inx,jnx->ij", jacobian, jacobian)
+
+
 def distances(points: np.ndarray, line: Line) -> np.ndarray:
     """Return the N signed distances in metres, positive on the side that the normal points to."""
     return points @ [math.cos(line.alpha), math.sin(line.alpha)] - line.r

@@ -9,6 +9,7 @@ of place.
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -175,13 +176,42 @@ def _misplaced_files(course: Course) -> Iterator[str]:
                 )
 
 
-def _leaks(course: Course, texts: list[str]) -> Iterator[str]:
-    """Parts of the key that stand in a student notebook."""
-    sources = [
-        "\n".join("".join(cell["source"]) for cell in json.loads(text)["cells"]) for text in texts
-    ]
+def _leaks(course: Course, student_notebooks: list[str]) -> Iterator[str]:
+    """Parts of the key that stand in what students get: the notebooks and all beside them."""
+    texts = {
+        str(path.relative_to(course.root)): path.read_text(encoding="utf-8")
+        for path in sorted((course.root / "notebooks").rglob("*"))
+        if path.suffix in (".py", ".toml", ".md", ".js") and "responses" not in path.parts
+    }
+    for text in student_notebooks:
+        cells = json.loads(text)["cells"]
+        texts[f"the notebook “{cells[0]['source'][0].strip('# ')}”"] = "\n".join(
+            "".join(cell["source"]) for cell in cells
+        )
     for id, answer in course.key.items():
-        secrets = [answer.explanation, answer.code, *(x.feedback for x in answer.alternatives)]
-        for secret in secrets:
-            if len(secret) > 8 and any(secret in source for source in sources):
-                yield f"{id}: a student notebook contains {secret[:60]!r}, which is in the key."
+        patterns = [re.escape(secret) for secret in _secrets(answer) if len(secret) > 8]
+        question = course.questions[id]
+        if isinstance(question, q.Number):
+            patterns += [
+                rf"(?<![\w.]){re.escape(_printed(question, entry.value))}(?![\w]|\.\d)"
+                for entry in answer.alternatives
+                if not entry.is_mistake
+            ]
+        for pattern in patterns:
+            for name, text in texts.items():
+                found = re.search(pattern, text)
+                if found:
+                    yield f"{id}: {name} contains {found[0][:60]!r}, which is in the key."
+
+
+def _secrets(answer: a.Answer) -> Iterator[str]:
+    yield answer.explanation
+    yield answer.code
+    for alternative in answer.alternatives:
+        yield alternative.feedback
+        if isinstance(alternative, a.ExpressionAlternative) and not alternative.is_mistake:
+            yield alternative.expression
+
+
+def _printed(question: q.Number, value: float) -> str:
+    return f"{value:.0f}" if question.integer else f"{value:.{question.decimals}f}"

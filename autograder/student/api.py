@@ -132,12 +132,24 @@ def _is_stub(response: Any) -> bool:
     return code is not None and code.co_names == ("NotImplementedError",)
 
 
+def _untouched(question: Question, chosen: list[Any]) -> bool:
+    """Whether every statement is still open, or the cards lie as they were dealt."""
+    if isinstance(question, Order):
+        return tuple(chosen) == question.start
+    return all(said is None for said in chosen)
+
+
 def _mark_choice(course: Course, question: Question, chosen: Any) -> Mark:
     if chosen is None:
         return not_attempted(question)
     marker = marker_for(course)
     if marker is None:
-        return stopped(question, "recorded")
+        # Without a key untouched work is still told from a response.
+        return (
+            not_attempted(question)
+            if _untouched(question, chosen)
+            else stopped(question, "recorded")
+        )
     return marker.mark(question.id, chosen)
 
 

@@ -78,15 +78,20 @@ class MarkerClient:
                 stdin.flush()
                 reply = wire.read_message(read_exactly)
             except (EOFError, OSError, wire.WireError):
-                self._process.kill()
+                self._end()
                 raise AutograderError(
                     "Marking stopped unexpectedly; run the cell again. If that does not help, "
                     "run `autograder check` in the course's folder."
                 ) from None
             except BaseException:
                 # An interrupt in the middle of a message: the next one would read its rest.
-                self._process.kill()
+                self._end()
                 raise
         if "error" in reply:
             raise CourseError(reply["error"])
         return dict(reply)
+
+    def _end(self) -> None:
+        """Kill the process and wait for it, so that `alive` says so at once."""
+        self._process.kill()
+        self._process.wait()

@@ -1,4 +1,4 @@
-"""Responses kept beside the notebooks: one JSON file a chapter, the truth of what was answered."""
+"""Responses kept beside the notebooks, a JSON file a chapter: the truth about what was answered."""
 
 from __future__ import annotations
 
@@ -96,10 +96,13 @@ class Responses:
 
     def _write(self, entries: dict[str, dict[str, Any]]) -> None:
         text = json.dumps({"chapter": self.chapter, "responses": entries}, indent=1)
-        with tempfile.NamedTemporaryFile(
-            "w", encoding="utf-8", dir=self.path.parent, suffix=".tmp", delete=False
-        ) as file:
-            file.write(text)
-            file.flush()
-            os.fsync(file.fileno())
-        os.replace(file.name, self.path)
+        descriptor, unfinished = tempfile.mkstemp(dir=self.path.parent, suffix=".tmp")
+        try:
+            with open(descriptor, "w", encoding="utf-8") as file:
+                file.write(text)
+                file.flush()
+                os.fsync(descriptor)
+            os.replace(unfinished, self.path)
+        except BaseException:
+            os.unlink(unfinished)
+            raise

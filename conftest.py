@@ -1,0 +1,26 @@
+"""What every test run needs, above all that no notebook touches the developer's own responses."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import pytest
+
+
+@pytest.fixture(scope="session", autouse=True)
+def _no_responses_of_the_developer(tmp_path_factory: pytest.TempPathFactory) -> None:
+    os.environ["AUTOGRADER_RESPONSES"] = str(tmp_path_factory.mktemp("responses"))
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_runtest_setup(item: pytest.Item) -> None:
+    """Give each notebook that nbval runs a folder of its own for its responses.
+
+    A kernel takes over the environment when it starts, and nbval starts it after this hook.
+    """
+    if type(item).__name__ == "IPyNbCell":
+        base = Path(item.config._tmp_path_factory.getbasetemp())  # type: ignore[attr-defined]
+        folder = base / "notebooks" / item.path.parent.name / item.path.stem
+        folder.mkdir(parents=True, exist_ok=True)
+        os.environ["AUTOGRADER_RESPONSES"] = str(folder)

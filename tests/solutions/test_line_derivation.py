@@ -1,0 +1,88 @@
+import numpy as np
+import pytest
+import sympy as sp
+
+from solutions import line_derivation as derivation
+from solutions.line_fitting import fit_line
+
+STEPS = derivation.derive()
+
+
+def clouds(count: int = 12) -> list[np.ndarray]:
+    rng = np.random.default_rng(3)
+    return [
+        rng.normal(size=(9, 2)) @ rng.normal(size=(2, 2)) + rng.normal(size=2) * 3
+        for _ in range(count)
+    ]
+
+
+def numbers(points: np.ndarray, angle: float, radius: float) -> dict:
+    center = points.mean(axis=0)
+    (S_xx, S_xy), (_, S_yy) = (center - points).T @ (center - points)
+    symbols = [
+        derivation.N,
+        derivation.x_c,
+        derivation.y_c,
+        derivation.alpha,
+        derivation.r,
+        derivation.S_xx,
+        derivation.S_xy,
+        derivation.S_yy,
+    ]
+    return dict(zip(symbols, [len(points), *center, angle, radius, S_xx, S_xy, S_yy], strict=True))
+
+
+def squared_error(points: np.ndarray, radius: float, angle: float) -> float:
+    return float(np.sum((radius - points @ [np.cos(angle), np.sin(angle)]) ** 2))
+
+
+def right_side(reason: str) -> sp.Expr:
+    (step,) = (step for step in STEPS if step.reason.startswith(reason))
+    return step.right
+
+
+@pytest.mark.parametrize("points", clouds(3))
+def test_the_derivative_by_r_is_a_difference_quotient(points):
+    h = 1e-6
+    quotient = (squared_error(points, 0.7 + h, 0.4) - squared_error(points, 0.7 - h, 0.4)) / (2 * h)
+    symbolic = right_side("derive by r").subs(numbers(points, 0.4, 0.7))
+    assert float(symbolic) == pytest.approx(quotient, rel=1e-6)
+
+
+@pytest.mark.parametrize("points", clouds(3))
+@pytest.mark.parametrize("reason", ["derive by alpha", "write it with the double angle"])
+def test_the_derivative_by_alpha_is_a_difference_quotient(points, reason):
+    def least(angle):  # r follows alpha: the line goes through the centre
+        return squared_error(points, points.mean(axis=0) @ [np.cos(angle), np.sin(angle)], angle)
+
+    h = 1e-6
+    quotient = (least(0.4 + h) - least(0.4 - h)) / (2 * h)
+    symbolic = right_side(reason).subs(numbers(points, 0.4, 0.0))
+    assert float(symbolic) == pytest.approx(quotient, rel=1e-6)
+
+
+def test_the_result_of_the_sheet_is_stationary_but_half_of_the_time_a_maximum():
+    maxima = 0
+    for points in clouds():
+        values = numbers(points, 0.0, 0.0)
+        angle = float(right_side("the sheet's result").subs(values))
+        values[derivation.alpha] = angle
+        assert float(right_side("write it with").subs(values)) == pytest.approx(0, abs=1e-9)
+        maxima += float(right_side("the second derivative").subs(values)) < 0
+    assert 0 < maxima < len(clouds())
+
+
+def test_the_second_derivative_at_the_result_is_positive():
+    S_xx, S_xy, S_yy = derivation.S_xx, derivation.S_xy, derivation.S_yy
+    R = sp.sqrt((S_yy - S_xx) ** 2 + 4 * S_xy**2)
+    assert sp.simplify(right_side("it is positive") - 2 * R) == 0
+
+
+@pytest.mark.parametrize("points", clouds())
+def test_the_derived_formulas_fit_line_and_svd_agree(points):
+    line = derivation.fit_line_symbolically(points)
+    assert line == pytest.approx(fit_line(points))
+    center = points.mean(axis=0)
+    normal = np.linalg.svd(points - center)[2][1]
+    assert line.r == pytest.approx(abs(normal @ center))
+    assert abs(normal @ [np.cos(line.alpha), np.sin(line.alpha)]) == pytest.approx(1.0)

@@ -1,0 +1,98 @@
+"""Marking happens in another process, which alone holds the key."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+import textwrap
+from pathlib import Path
+
+import pytest
+
+from autograder import ask, check
+from autograder.student import marker_client
+
+
+def run(root: Path, code: str) -> str:
+    """What a fresh interpreter prints that works in the course's notebooks, as a kernel does."""
+    done = subprocess.run(
+        [sys.executable, "-c", textwrap.dedent(code)],
+        cwd=root / "notebooks",
+        capture_output=True,
+        text=True,
+        timeout=60,
+        check=False,
+    )
+    assert done.stderr == ""
+    return done.stdout
+
+
+def test_the_key_and_the_solutions_never_enter_the_kernel(own_garden: Path):
+    printed = run(
+        own_garden,
+        """
+        import gc, sys
+        import sympy as sp
+        from autograder import ask, check, progress, submit
+        w, l = sp.symbols("w l")
+        asked = [ask("Q1.1").respond([True, True]), ask("Q1.2").respond([1, 3, 2])]
+        asked += [check("Q1.3", 12), check("Q1.4", w + l), check("Q1.5", sum), progress(), submit()]
+        assert all(asked)
+        print([name for name in sys.modules if name.partition(".")[0] == "solutions"])
+        keys = {"Answer", "Marker", "Expected", "Statement", "Alternative"}
+        kinds = {kind.__name__ for object_ in gc.get_objects() for kind in type(object_).__mro__}
+        print(sorted(keys & kinds))
+        """,
+    )
+    assert printed == "[]\n[]\n"
+
+
+def test_marking_starts_again_when_its_process_has_died(garden: Path):
+    assert check("Q1.3", 12).mark.status == "right"
+    client = marker_client._client
+    assert client is not None
+    client._process.kill()
+    client._process.wait()
+    assert check("Q1.3", 12).mark.status == "right"
+
+
+def test_an_interrupt_does_not_mix_up_the_next_reply(garden: Path, monkeypatch: pytest.MonkeyPatch):
+    check("Q1.3", 12)
+    read = marker_client.wire.read_message
+
+    def interrupted(*args: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(marker_client.wire, "read_message", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        check("Q1.3", 13)
+    monkeypatch.setattr(marker_client.wire, "read_message", read)
+    assert ask("Q1.1").respond([False, True]).mark.question == "Q1.1"
+
+
+def test_a_reference_that_prints_does_not_disturb_marking(own_garden: Path):
+    source = own_garden / "solutions/garden.py"
+    source.write_text(source.read_text().replace("return sum(b", "print('hello'); return sum(b"))
+    assert check("Q1.5", sum).mark.status == "right"
+
+
+def test_a_broken_key_is_one_sentence(own_garden: Path, capsys: pytest.CaptureFixture[str]):
+    (own_garden / "solutions/garden.py").write_text("")
+    assert check("Q1.5", sum) is None
+    said = capsys.readouterr().out
+    assert said.count("\n") == 1
+    assert "cannot be loaded" in said
+
+
+def test_importing_the_course_loads_nothing_slow(own_garden: Path):
+    printed = run(
+        own_garden,
+        """
+        import sys
+        from autograder import ask, check, progress, submit
+        ask("Q1.1").respond([True, True])
+        slow = {"anywidget", "ipywidgets", "sympy", "matplotlib", "cv2", "IPython", "nbformat"}
+        print(sorted(slow & set(sys.modules)))
+        """,
+    )
+    assert printed == "[]\n"

@@ -1,0 +1,140 @@
+"""The file beside the notebooks that holds what was answered."""
+
+from __future__ import annotations
+
+import json
+import multiprocessing
+import os
+from pathlib import Path
+
+import pytest
+from filelock import FileLock
+
+from autograder import ask, check, progress
+from autograder.student import responses as module
+from autograder.student.responses import Responses, ResponsesError, responses_folder
+
+
+def test_a_response_is_kept_with_attempts_and_mark(garden: Path):
+    ask("Q1.1").respond([True, True])
+    ask("Q1.1").respond([False, True])
+    entry = json.loads((garden / "garden.json").read_text())["responses"]["Q1.1"]
+    assert entry["response"] == [False, True]
+    assert entry["attempts"] == 2
+    assert (entry["status"], entry["points"]) == ("right", 2)
+    assert entry["answered_at"].endswith("+00:00")
+
+
+def test_a_value_is_kept_as_it_was_understood_and_never_as_code(garden: Path):
+    check("Q1.3", 12)
+    entry = Responses(garden, "garden").get("Q1.3")
+    assert entry["understood"] == "12"
+    assert entry["response"] is None
+
+
+def test_other_answers_survive_a_new_one(tmp_path: Path):
+    kept = Responses(tmp_path, "garden")
+    kept.record("Q1.1", {"response": [True]})
+    Responses(tmp_path, "garden").record("Q1.2", {"response": ["sow"]})
+    assert {id: entry["response"] for id, entry in kept.all().items()} == {
+        "Q1.1": [True],
+        "Q1.2": ["sow"],
+    }
+
+
+@pytest.mark.parametrize(
+    "damage",
+    [
+        b"",
+        b"{",
+        b"\xff\xfe\x00",
+        b"[]",
+        b'{"responses": [1]}',
+        b'{"responses": {"Q1.1": 3}}',
+        b"[" * 100_000,
+    ],
+)
+def test_a_damaged_file_is_kept_aside_and_said_so(
+    garden: Path, capsys: pytest.CaptureFixture[str], damage: bytes
+):
+    garden.mkdir()
+    (garden / "garden.json").write_bytes(damage)
+    assert "Q1.1" in repr(ask("Q1.1"))
+    ask("Q1.1").respond([False, True])
+    aside = list(garden.glob("garden.damaged-*.json"))
+    assert [path.read_bytes() for path in aside] == [damage]
+    assert aside[0].name in capsys.readouterr().out
+    assert Responses(garden, "garden").get("Q1.1")["response"] == [False, True]
+
+
+def test_a_write_that_fails_half_way_leaves_the_old_file(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+):
+    kept = Responses(tmp_path, "garden")
+    kept.record("Q1.1", {"response": [True]})
+    before = kept.path.read_bytes()
+
+    def full_disk(descriptor: int) -> None:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(os, "fsync", full_disk)
+    with pytest.raises(ResponsesError, match=r"NOT saved.*No space left"):
+        kept.record("Q1.1", {"response": [False]})
+    assert kept.path.read_bytes() == before
+    assert list(tmp_path.glob("*.tmp")) == []
+
+
+def test_an_answer_that_cannot_be_saved_says_so_and_shows_no_mark(
+    garden: Path, capsys: pytest.CaptureFixture[str]
+):
+    garden.write_text("a file stands where the folder should be")
+    assert ask("Q1.1").respond([False, True]) is None
+    said = capsys.readouterr().out
+    assert said.count("\n") == 1
+    assert "NOT saved" in said
+
+
+def test_a_file_that_somebody_else_holds_is_waited_for_and_then_given_up(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+):
+    monkeypatch.setattr(module, "LOCK_SECONDS", 0.1)
+    with FileLock(tmp_path / "garden.lock"), pytest.raises(ResponsesError, match="NOT saved"):
+        Responses(tmp_path, "garden").record("Q1.1", {"response": [True]})
+
+
+def _answer_often(folder: Path, id: str) -> None:
+    for _ in range(20):
+        Responses(folder, "garden").record(id, {"response": [True]})
+
+
+def test_two_kernels_that_write_at_once_lose_nothing(tmp_path: Path):
+    start = multiprocessing.get_context("spawn")
+    writers = [start.Process(target=_answer_often, args=(tmp_path, id)) for id in ("Q1.1", "Q1.2")]
+    for writer in writers:
+        writer.start()
+    for writer in writers:
+        writer.join()
+    entries = Responses(tmp_path, "garden").all()
+    assert {id: entry["attempts"] for id, entry in entries.items()} == {"Q1.1": 20, "Q1.2": 20}
+
+
+def test_responses_stand_beside_the_notebook_that_runs(own_garden: Path):
+    assert responses_folder(own_garden) == own_garden / "notebooks/responses"
+    ask("Q1.1").respond([False, True])
+    assert (own_garden / "notebooks/responses/garden.json").exists()
+
+
+def test_outside_a_folder_of_notebooks_responses_stand_beside_the_courses_own(
+    own_garden: Path, monkeypatch: pytest.MonkeyPatch
+):
+    monkeypatch.chdir(own_garden)
+    assert responses_folder(own_garden) == own_garden / "notebooks/responses"
+
+
+def test_progress_counts_answered_questions_and_points(garden: Path):
+    assert "0 of 5" in repr(progress())
+    assert "0 of 13" in repr(progress())
+    ask("Q1.1").respond([True, True])
+    check("Q1.3", 12)
+    assert "2 of 5" in repr(progress())
+    assert "3 of 13" in repr(progress())

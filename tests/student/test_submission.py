@@ -1,0 +1,73 @@
+"""`submit`: the zip that is handed in."""
+
+from __future__ import annotations
+
+import json
+import zipfile
+from pathlib import Path
+
+import pytest
+
+from autograder import ask, check, submit
+
+
+def test_the_zip_holds_the_notebooks_and_the_responses(own_garden: Path):
+    ask("Q1.1").respond([False, True])
+    shown = submit()
+    target = own_garden / "notebooks/submission.zip"
+    with zipfile.ZipFile(target) as archive:
+        assert archive.namelist() == ["1_garden.ipynb", "responses/garden.json"]
+        kept = json.loads(archive.read("responses/garden.json"))
+    assert kept["responses"]["Q1.1"]["response"] == [False, True]
+    assert "Unanswered or not checked: 4 of 5 (Q1.2, Q1.3, Q1.4, Q1.5)" in repr(shown)
+
+
+def test_nothing_is_listed_once_everything_is_answered(own_garden: Path):
+    import sympy as sp
+
+    w, length = sp.symbols("w l")
+    ask("Q1.1").respond([False, True])
+    ask("Q1.2").respond([2, 3, 1])
+    check("Q1.3", 12)
+    check("Q1.4", 2 * (w + length))
+    check("Q1.5", sum)
+    assert "All 5 questions are answered." in repr(submit())
+
+
+def test_unfinished_work_may_be_handed_in(own_garden: Path):
+    assert "Unanswered or not checked: 5 of 5" in repr(submit())
+    assert (own_garden / "notebooks/submission.zip").exists()
+
+
+def test_other_notebooks_and_copies_of_the_zip_stay_out(own_garden: Path):
+    (own_garden / "notebooks/scratch.ipynb").write_text("{}")
+    (own_garden / "notebooks/9_diary.ipynb").write_text("{}")
+    submit()
+    submit()
+    with zipfile.ZipFile(own_garden / "notebooks/submission.zip") as archive:
+        assert archive.namelist() == ["1_garden.ipynb"]
+
+
+def test_no_notebook_to_hand_in_gets_one_sentence(
+    own_garden: Path, capsys: pytest.CaptureFixture[str]
+):
+    (own_garden / "notebooks/1_garden.ipynb").unlink()
+    assert submit() is None
+    said = capsys.readouterr().out
+    assert said.count("\n") == 1
+    assert "There is no chapter of the course" in said
+
+
+def test_a_zip_that_cannot_be_written_gets_one_sentence(
+    own_garden: Path, capsys: pytest.CaptureFixture[str]
+):
+    (own_garden / "notebooks/submission.zip").mkdir()
+    assert submit() is None
+    said = capsys.readouterr().out
+    assert said.count("\n") == 1
+    assert "nothing was handed in" in said
+
+
+def test_with_a_folder_of_its_own_for_responses_the_zip_goes_there(garden: Path):
+    submit()
+    assert (garden / "submission.zip").exists()
