@@ -47,7 +47,7 @@ def grade_and_report(
         def done(entry: Graded) -> None:
             graded.append(entry)
             if not parsed.dry_run:
-                book.store(entry, run)
+                book.store(entry, run, whole=questions is None)
             progress.advance(task)
 
         grade_all(submissions, marker, min(parsed.jobs, len(submissions)), done, questions, known)
@@ -80,18 +80,15 @@ def grade_and_report(
     return DONE
 
 
-def _choose_run(
-    parsed: argparse.Namespace, course: Course, book: Gradebook, regrade: bool
-) -> Run:
+def _choose_run(parsed: argparse.Namespace, course: Course, book: Gradebook, regrade: bool) -> Run:
     """The last run goes on, unless the key, the seed or the wish to regrade asks for a new one.
 
     A new run draws the same hidden inputs as the last: what changes is then the key's doing.
     """
     last = book.last_run()
+    seed = last.seed if last else secrets.randbits(32)
     if parsed.seed is not None:
         seed = parsed.seed
-    else:
-        seed = last.seed if last else secrets.randbits(32)
     if parsed.dry_run:
         return Run(0, course.version, seed)
     if last and not regrade and last.course_version == course.version and last.seed == seed:

@@ -43,7 +43,9 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
         if points is None and question.id not in record.overrides:
             raise UsageError(f"{record.student} has no override for {question.id} to withdraw.")
         if points is not None and points > question.points:
-            console.print(f"Note: that is more than the {question.points:g} points of the question.")
+            console.print(
+                f"Note: that is more than the {question.points:g} points of the question."
+            )
         book.override(record.student, question.id, points, parsed.reason.strip())
         write_reports(course, book, Options(parsed.out, None, {record.student}), console)
         record = book.record(record.student)

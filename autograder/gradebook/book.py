@@ -102,12 +102,15 @@ class Gradebook:
 
     # Submissions and marks
 
-    def store(self, graded: Graded, run: Run) -> None:
+    def store(self, graded: Graded, run: Run, whole: bool = True) -> None:
         """Write one submission and its marks, all or nothing.
 
-        Marks of questions that were not graded this time stay, and so do overrides.
+        Unless the ``whole`` of it was graded, earlier marks of other questions stay. Overrides stay
+        always.
         """
         with self._transaction() as db:
+            if whole:
+                db.execute("DELETE FROM mark WHERE student = ?", (graded.submission.student,))
             db.execute(
                 "INSERT INTO submission (student, path, fingerprint, status, notes, run, seconds) "
                 "VALUES (?, ?, ?, ?, ?, ?, ?) ON CONFLICT (student) DO UPDATE "

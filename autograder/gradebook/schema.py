@@ -39,10 +39,13 @@ CREATE TABLE mark (
 ) STRICT;
 """,
     """
-ALTER TABLE run ADD COLUMN finished_at TEXT;               -- NULL if it was stopped
+-- NULL if it was stopped
+ALTER TABLE run ADD COLUMN finished_at TEXT;
 ALTER TABLE run ADD COLUMN seconds REAL NOT NULL DEFAULT 0;
-ALTER TABLE submission ADD COLUMN seconds REAL NOT NULL DEFAULT 0;  -- running and marking it
-ALTER TABLE submission ADD COLUMN handed_in TEXT;          -- UTC, ISO 8601
+-- how long running and marking it took
+ALTER TABLE submission ADD COLUMN seconds REAL NOT NULL DEFAULT 0;
+-- UTC, ISO 8601
+ALTER TABLE submission ADD COLUMN handed_in TEXT;
 ALTER TABLE submission ADD COLUMN late_days INTEGER NOT NULL DEFAULT 0;
 ALTER TABLE submission ADD COLUMN late_percent REAL NOT NULL DEFAULT 0;
 CREATE TABLE override (            -- the latest for a student and a question counts
