@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import json
 import os
 import tomllib
 from dataclasses import dataclass, fields, replace
@@ -16,6 +17,7 @@ from autograder.questions import Question, question_from_table
 
 QUESTIONS = Path("notebooks/questions")
 ANSWERS = Path("solutions/answers")
+DEMO = "demo"  # the tag of a cell that only shows something
 
 
 @dataclass(frozen=True)
@@ -106,6 +108,20 @@ class Course:
                 )
             key |= {id: answer_from_table(tables[id], asked[id]) for id in asked}
         return key
+
+    @cached_property
+    def demo_cells(self) -> frozenset[str]:
+        """The sources of the cells that only show something, from the handed-out notebooks.
+
+        A submission that left them unchanged is graded without running them.
+        """
+        cells = [
+            cell
+            for path in (self.root / "notebooks").glob("*.ipynb")
+            for cell in json.loads(path.read_text(encoding="utf-8"))["cells"]
+            if DEMO in cell["metadata"].get("tags", ())
+        ]
+        return frozenset("".join(cell["source"]) for cell in cells)
 
     @cached_property
     def version(self) -> str:

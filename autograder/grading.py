@@ -167,6 +167,7 @@ def _grade_chapter(
     if not asked:
         return []
     notebook = contents.notebooks.get(chapter.name, Notebook(cells=[], receipts={}))
+    cells = [cell for cell in notebook.cells if cell not in marker.course.demo_cells]
     given = {
         id: entry.get("response") for id, entry in contents.sidecars.get(chapter.name, {}).items()
     }
@@ -175,8 +176,8 @@ def _grade_chapter(
         report: dict[str, Any] = {}
         failure = None
         try:
-            if notebook.cells:
-                report = session.run(notebook.cells, names)
+            if cells:
+                report = session.run(cells, names)
         except Stopped as stop:
             failure = stop.status
         # What the student's widgets wrote is the truth; the code's own `respond` and the receipts
@@ -196,7 +197,7 @@ def _grade_chapter(
                 marks.append(stopped(question, failure, _NOTEBOOK_STOPPED[failure]))
             else:
                 said = str(understood.get(question.name or "", ""))
-                marks.append(_mark_named(question, session, marker, notebook, report, said))
+                marks.append(_mark_named(question, session, marker, cells, report, said))
         return marks
 
 
@@ -210,7 +211,7 @@ def _mark_named(
     question: Question,
     session: Session,
     marker: Marker,
-    notebook: Notebook,
+    cells: list[str],
     report: dict[str, Any],
     understood: str,
 ) -> Mark:
@@ -220,9 +221,7 @@ def _mark_named(
         response = session.evaluate(question.name, marker.probe(question.id).sent)
     except Stopped as stop:
         return stopped(question, stop.status)
-    if response.get("reason") == "missing" and _defining_cell_failed(
-        question.name, notebook, report
-    ):
+    if response.get("reason") == "missing" and _defining_cell_failed(question.name, cells, report):
         return stopped(
             question,
             "error",
@@ -232,14 +231,14 @@ def _mark_named(
     return marker.mark(question.id, response, understood)
 
 
-def _defining_cell_failed(name: str, notebook: Notebook, report: dict[str, Any]) -> bool:
+def _defining_cell_failed(name: str, cells: list[str], report: dict[str, Any]) -> bool:
     defines = re.compile(rf"^\s*(def\s+{name}\b|{name}\s*(:[^=\n]*)?=[^=])", re.MULTILINE)
     errors = report.get("errors")
     if not isinstance(errors, list):
         return False
     return any(
         error is not None and defines.search(cell)
-        for cell, error in zip(notebook.cells, errors, strict=False)
+        for cell, error in zip(cells, errors, strict=False)
     )
 
 

@@ -18,7 +18,7 @@ from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
 
 from autograder.authoring.masters import Master, read_masters
 from autograder.authoring.stubs import exercise_cells
-from autograder.course import Course
+from autograder.course import DEMO, Course
 from autograder.errors import CourseError
 
 STUDENT = Path("notebooks")
@@ -112,7 +112,10 @@ def _assemble(course: Course, master: Master, solved: bool) -> Any:
             kind = "markdown" if cell.kind == "markdown" else "code"
             counters[kind] += 1
             make = new_markdown_cell if kind == "markdown" else new_code_cell
-            notebook.cells.append(make(cell.source, id=f"{kind}-{counters[kind]}"))
+            metadata = {"tags": [DEMO]} if cell.demo else {}
+            notebook.cells.append(
+                make(cell.source, id=f"{kind}-{counters[kind]}", metadata=metadata)
+            )
             continue
         question = course.question(cell.exercise)
         exercise = exercise_cells(course, question)

@@ -15,11 +15,16 @@ MASTERS = Path("notebooks/source")
 
 @dataclass(frozen=True)
 class MasterCell:
-    """A cell of a master: Markdown, code, or an exercise (then ``exercise`` is its id)."""
+    """A cell of a master: Markdown, code, or an exercise (then ``exercise`` is its id).
+
+    ``demo`` says that the cell only shows something: no response needs it, and the grader leaves
+    it out where it is unchanged.
+    """
 
     kind: str
     source: str
     exercise: str | None = None
+    demo: bool = False
 
 
 @dataclass(frozen=True)
@@ -79,5 +84,6 @@ def _read_master(course: Course, path: Path) -> Master:
                 raise CourseError(
                     f"The exercise {exercise} in {path.name} holds code; leave its cell empty."
                 )
-        cells.append(MasterCell(cell.cell_type, cell.source, exercise))
+        demo = cell.metadata.get("demo") is True
+        cells.append(MasterCell(cell.cell_type, cell.source, exercise, demo))
     return Master(path, chapter, tuple(cells))
