@@ -111,11 +111,12 @@ class ExpressionAnswer(Answer):
 
 @dataclass(frozen=True)
 class FunctionAnswer(Answer):
-    """The key to a function question; reference, cases and compare are dotted names."""
+    """The key to a function question; reference, cases, compare and picture are dotted names."""
 
     reference: str
     cases: str
     compare: str | None
+    picture: str | None = None
 
 
 class _Table:
@@ -296,6 +297,7 @@ def _function(
         reference=read.text("reference"),
         cases=read.text("cases"),
         compare=read.take("compare", str, None),
+        picture=read.take("picture", str, None),
     )
 
 

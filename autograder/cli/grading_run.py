@@ -76,7 +76,7 @@ def grade_and_report(
         print_table(console, course, records)
     if changed:
         print_changes(console, before, changed)
-    console.print(f"{len(submissions)} graded; {written} is written.", soft_wrap=True, markup=False)
+    console.print(f"{len(submissions)} graded; {written}.", soft_wrap=True, markup=False)
     return DONE
 
 

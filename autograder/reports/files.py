@@ -53,7 +53,7 @@ def file_name(student: str) -> str:
     """A file name for a student, different for different students."""
     plain = re.sub(r'[<>:"/\\|?*\x00-\x1f\x7f]', "_", student).strip(" .")
     fits = len(plain.encode("utf-8", "replace")) <= _LONGEST
-    if plain == student and fits and plain.casefold() not in _RESERVED:
+    if plain and plain == student and fits and plain.casefold() not in _RESERVED:
         return plain
     digest = hashlib.sha256(student.encode("utf-8", "replace")).hexdigest()[:8]
     shortened = plain.encode("utf-8", "replace")[:_LONGEST].decode("utf-8", "ignore")
