@@ -8,6 +8,7 @@ from typing import Any
 
 from autograder import questions as q
 from autograder.errors import CourseError
+from autograder.toml_table import Table
 
 
 @dataclass(frozen=True)
@@ -119,35 +120,6 @@ class FunctionAnswer(Answer):
     picture: str | None = None
 
 
-class _Table:
-    """A TOML table whose every field must be known and of the right type."""
-
-    def __init__(self, table: dict[str, Any], where: str) -> None:
-        self._table, self._where, self._seen = table, where, set[str]()
-
-    def take(self, key: str, types: Any, default: Any = ...) -> Any:
-        self._seen.add(key)
-        value = self._table.get(key, default)
-        if value is ...:
-            raise CourseError(f"{self._where}: the field {key!r} is missing.")
-        if value is not default and not isinstance(value, types):
-            raise CourseError(f"{self._where}: {key} is {value!r}, which has the wrong type.")
-        return value
-
-    def text(self, key: str, default: Any = ...) -> str:
-        value = self.take(key, str, default)
-        if value == "" and default is ...:
-            raise CourseError(f"{self._where}: {key} is empty; write it.")
-        return str(value).strip()
-
-    def done(self) -> None:
-        unknown = set(self._table) - self._seen
-        if unknown:
-            raise CourseError(
-                f"{self._where}: unknown field {sorted(unknown)[0]!r}; remove or correct it."
-            )
-
-
 def answer_from_table(table: dict[str, Any], question: q.Question) -> Answer:
     """Read the key to one question.
 
@@ -157,17 +129,13 @@ def answer_from_table(table: dict[str, Any], question: q.Question) -> Answer:
     where = f"the answer to {question.id} in solutions/answers/{question.chapter}.toml"
     if not isinstance(table, dict):
         raise CourseError(f"{where} must be a table.")
-    read = _Table(table, where)
+    read = Table(table, where)
     common: dict[str, Any] = {
         "id": question.id,
         "explanation": read.text("explanation", ""),
         "code": read.text("code", ""),
     }
-    raw_alternatives = read.take("alternative", list, [])
-    tables = [
-        _Table(entry, f"alternative {entry.get('name', '?')!r} of {where}")
-        for entry in raw_alternatives
-    ]
+    tables = read.tables("alternative", "alternative", [])
     answer = _READERS[question.kind](question, read, tables, common)
     for entry in (read, *tables):
         entry.done()
@@ -180,23 +148,22 @@ def answer_from_table(table: dict[str, Any], question: q.Question) -> Answer:
     return answer
 
 
-def _alternative(table: _Table, credit: Any = ...) -> dict[str, Any]:
+def _alternative(table: Table, credit: Any = ...) -> dict[str, Any]:
     fields: dict[str, Any] = {
         "name": table.text("name"),
-        "credit": float(table.take("credit", (int, float), credit)),
+        "credit": float(table.number("credit", credit)),
         "feedback": table.text("feedback", ""),
     }
     if not 0 <= fields["credit"] <= 1:
-        raise CourseError(f"{table._where}: credit must be between 0 and 1.")
+        raise table.error("credit must be between 0 and 1")
     return fields
 
 
 def _true_false(
-    question: q.TrueFalse, read: _Table, tables: list[_Table], common: dict[str, Any]
+    question: q.TrueFalse, read: Table, tables: list[Table], common: dict[str, Any]
 ) -> Answer:
     statements = []
-    for position, entry in enumerate(read.take("statement", list), 1):
-        table = _Table(entry, f"statement {position} of {read._where}")
+    for table in read.tables("statement", "statement"):
         statements.append(
             Statement(
                 table.take("truth", bool), table.text("explanation"), table.text("misconception")
@@ -204,21 +171,23 @@ def _true_false(
         )
         table.done()
     if len(statements) != len(question.statements):
-        raise CourseError(
-            f"{read._where} has {len(statements)} statements, "
-            f"but the question asks {len(question.statements)}."
+        raise read.error(
+            f"there are {len(statements)} statements, "
+            f"but the question asks {len(question.statements)}"
         )
     if tables:
-        raise CourseError(f"{read._where}: put what is wrong into each statement's misconception.")
+        raise read.error("put what is wrong into each statement's misconception")
     return TrueFalseAnswer(**common, alternatives=(), statements=tuple(statements))
 
 
-def _order(question: q.Order, read: _Table, tables: list[_Table], common: dict[str, Any]) -> Answer:
-    order = tuple(read.take("order", list))
+def _order(question: q.Order, read: Table, tables: list[Table], common: dict[str, Any]) -> Answer:
+    order = read.texts("order")
     if sorted(order) != sorted(question.start):
-        raise CourseError(f"{read._where}: order must name every card of the question once.")
-    pairs = tuple((str(a), str(b)) for a, b in read.take("before", list))
-    groups = tuple(tuple(group) for group in read.take("interchangeable", list, []))
+        raise read.error("order must name every card of the question once")
+    before, groups = read.groups("before"), read.groups("interchangeable", [])
+    if any(len(pair) != 2 for pair in before):
+        raise read.error("before must be a list of pairs of card ids")
+    pairs = tuple((first, second) for first, second in before)
     alternatives = tuple(
         OrderAlternative(
             **_alternative(table, credit=0.0),
@@ -230,42 +199,52 @@ def _order(question: q.Order, read: _Table, tables: list[_Table], common: dict[s
     named = {name for pair in pairs for name in pair} | {n for group in groups for n in group}
     named |= {name for entry in alternatives for name in (entry.first, entry.second)}
     if not named <= set(order):
-        raise CourseError(f"{read._where}: no card has the id {sorted(named - set(order))[0]!r}.")
+        raise read.error(f"no card has the id {sorted(named - set(order))[0]!r}")
     for first, second in pairs:
         if order.index(first) >= order.index(second):
-            raise CourseError(
-                f"{read._where}: the canonical order puts {second!r} before {first!r}."
+            raise read.error(f"the canonical order puts {second!r} before {first!r}")
+    texts = {card.id: card.text for card in question.cards}
+    for group in groups:
+        if len({texts[name] for name in group}) > 1:
+            raise read.error(
+                f"the cards {', '.join(map(repr, group))} are called interchangeable, "
+                "but their texts differ"
             )
     return OrderAnswer(
         **common, alternatives=alternatives, order=order, before=pairs, interchangeable=groups
     )
 
 
-def _number(
-    question: q.Number, read: _Table, tables: list[_Table], common: dict[str, Any]
-) -> Answer:
+def _number(question: q.Number, read: Table, tables: list[Table], common: dict[str, Any]) -> Answer:
     alternatives = tuple(
         NumberAlternative(
             **_alternative(table),
-            value=table.take("value", (int, float)),
-            tolerance=table.take("tolerance", (int, float), None),
+            value=table.number("value"),
+            tolerance=table.number("tolerance", None),
         )
         for table in tables
     )
+    if any((entry.tolerance or 0) < 0 for entry in alternatives):
+        raise read.error("a tolerance is never negative")
     return NumberAnswer(**common, alternatives=alternatives)
 
 
 def _expression(
-    question: q.Expression, read: _Table, tables: list[_Table], common: dict[str, Any]
+    question: q.Expression, read: Table, tables: list[Table], common: dict[str, Any]
 ) -> Answer:
-    sample = {
-        name: (float(low), float(high)) for name, (low, high) in read.take("sample", dict).items()
-    }
+    sample = {name: _range(read, name, ends) for name, ends in read.take("sample", dict).items()}
     derived = dict(read.take("derived", dict, {}))
-    if sample.keys() | derived.keys() != {name for name, _ in question.symbols}:
-        raise CourseError(
-            f"{read._where}: sample and derived together must name exactly the question's symbols."
+    if not all(isinstance(formula, str) for formula in derived.values()):
+        raise read.error("derived must give each symbol a formula as text")
+    free_of = read.texts("free_of", [])
+    # What a response must be free of is drawn too, even if the question does not declare it.
+    if sample.keys() | derived.keys() != {name for name, _ in question.symbols} | set(free_of):
+        raise read.error(
+            "sample and derived together must name exactly the question's symbols and "
+            "what is in free_of"
         )
+    if not set(free_of) <= sample.keys():
+        raise read.error("give each symbol of free_of a range in sample")
     alternatives = tuple(
         ExpressionAlternative(
             **_alternative(table),
@@ -279,13 +258,23 @@ def _expression(
         alternatives=alternatives,
         sample=sample,
         derived=derived,
-        free_of=tuple(read.take("free_of", list, [])),
+        free_of=free_of,
         free_of_feedback=read.text("free_of_feedback", ""),
     )
 
 
+def _range(read: Table, name: str, ends: Any) -> tuple[float, float]:
+    """The ends of the range in which a symbol's values are drawn."""
+    numbers = (
+        isinstance(ends, list) and len(ends) == 2 and all(type(n) in (int, float) for n in ends)
+    )
+    if not numbers or not -float("inf") < ends[0] < ends[1] < float("inf"):
+        raise read.error(f"sample must give {name!r} two numbers, the smaller one first")
+    return float(ends[0]), float(ends[1])
+
+
 def _function(
-    question: q.Function, read: _Table, tables: list[_Table], common: dict[str, Any]
+    question: q.Function, read: Table, tables: list[Table], common: dict[str, Any]
 ) -> Answer:
     alternatives = tuple(
         FunctionAlternative(**_alternative(table), function=table.text("function"))

@@ -174,9 +174,12 @@ def load_course(root: Path | None = None) -> Course:
             raise CourseError(
                 f"{path.relative_to(root)} needs a title and [[question]] tables, nothing else."
             )
-        questions = tuple(
-            question_from_table(entry, path.stem) for entry in table.get("question", [])
-        )
+        entries = table.get("question", [])
+        if not (isinstance(entries, list) and all(isinstance(entry, dict) for entry in entries)):
+            raise CourseError(
+                f"{path.relative_to(root)}: each question is a table that begins with [[question]]."
+            )
+        questions = tuple(question_from_table(entry, path.stem) for entry in entries)
         chapters.append(Chapter(path.stem, table["title"], questions))
     if not chapters:
         raise CourseError(f"{root / QUESTIONS} holds no questions; add a CHAPTER.toml.")
@@ -185,19 +188,26 @@ def load_course(root: Path | None = None) -> Course:
 
 
 def _reject_duplicates(chapters: list[Chapter]) -> None:
-    ids: set[str] = set()
+    placed: dict[str, str] = {}
     for chapter in chapters:
-        names: set[str] = set()
+        stored: dict[str, str] = {}
+        file = f"{chapter.name}.toml"
         for question in chapter.questions:
-            if question.id in ids:
-                raise CourseError(f"Two questions have the id {question.id}; rename one.")
-            if question.name in names:
+            if question.id in placed:
+                files = " and ".join(dict.fromkeys([placed[question.id], file]))
                 raise CourseError(
-                    f"Two questions of {chapter.name} store their response in {question.name!r}; "
-                    "rename one, or the later cell would overwrite the earlier."
+                    f"Two questions have the id {question.id} (in {files}); rename one."
                 )
-            ids.add(question.id)
-            names |= {question.name} if question.name else set()
+            placed[question.id] = file
+            if question.name is None:
+                continue
+            if question.name in stored:
+                raise CourseError(
+                    f"{stored[question.name]} and {question.id} in {file} both store their "
+                    f"response in {question.name!r}; rename one, or the later cell would "
+                    "overwrite the earlier."
+                )
+            stored[question.name] = question.id
 
 
 def _chapter_position(root: Path) -> Any:

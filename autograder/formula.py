@@ -33,7 +33,9 @@ FUNCTIONS: dict[str, Callable[..., Any]] = {
     "tan": np.tan,
     "where": np.where,
 }
-CONSTANTS = {"pi": np.pi, "e": np.e}
+CONSTANTS = {"pi": np.float64(np.pi), "e": np.float64(np.e)}
+MAX_LENGTH = 2000  # characters; nothing longer is written by hand, and Python's parser has limits
+_ARGUMENTS = {"atan2": 2, "where": 3}  # of the others: one
 
 _BINARY: dict[type[ast.operator], Callable[[Any, Any], Any]] = {
     ast.Add: operator.add,
@@ -61,21 +63,29 @@ def evaluate_formula(
     Raises:
         CourseError: if the text is no formula or uses a name that has no value.
     """
+    if len(text) > MAX_LENGTH:
+        raise CourseError(
+            f"{text[:40]!r}... is not a formula: it has more than {MAX_LENGTH} characters."
+        )
+    shown = repr(text if len(text) <= 100 else text[:100] + "...")
     try:
         tree = ast.parse(text.strip(), mode="eval").body
     except SyntaxError as error:
-        raise CourseError(f"{text!r} is not a formula: {error.msg}.") from None
+        raise CourseError(f"{shown} is not a formula: {error.msg}.") from None
+    except (ValueError, RecursionError, MemoryError):  # a null character; nested too deeply
+        raise CourseError(f"{shown} is not a formula: it cannot be parsed.") from None
 
     def visit(node: ast.expr) -> Any:
         match node:
             case ast.Constant(value=int() | float() as number) if not isinstance(number, bool):
-                return float(number)
+                # As NumPy's float, so that 1/0 is infinite instead of an exception.
+                return np.float64(number) if abs(number) < 1e308 else np.float64(np.inf)
             case ast.Name(id=name):
                 if name in values:
                     return np.asarray(values[name], dtype=np.float64)
                 if name in CONSTANTS:
                     return CONSTANTS[name]
-                raise CourseError(f"the formula {text!r} uses {name!r}, which has no value here.")
+                raise CourseError(f"the formula {shown} uses {name!r}, which has no value here.")
             case ast.UnaryOp(op=ast.USub(), operand=operand):
                 return -visit(operand)
             case ast.UnaryOp(op=ast.UAdd(), operand=operand):
@@ -85,11 +95,25 @@ def evaluate_formula(
             case ast.Compare(left=left, ops=[op], comparators=[right]) if type(op) in _COMPARE:
                 return _COMPARE[type(op)](visit(left), visit(right))
             case ast.Call(func=ast.Name(id=name), args=args, keywords=[]) if name in FUNCTIONS:
+                if len(args) != (count := _ARGUMENTS.get(name, 1)):
+                    raise CourseError(
+                        f"{name} in the formula {shown} takes {count} argument{'s' * (count > 1)}."
+                    )
                 return FUNCTIONS[name](*(visit(argument) for argument in args))
         raise CourseError(
-            f"{ast.unparse(node)!r} in {text!r} is not allowed in a formula; "
+            f"{_shortened(node)!r} in {shown} is not allowed in a formula; "
             f"use + - * / ** and {', '.join(FUNCTIONS)}."
         )
 
-    with np.errstate(all="ignore"):
-        return np.asarray(visit(tree), dtype=np.float64)
+    try:
+        with np.errstate(all="ignore"):
+            return np.asarray(visit(tree), dtype=np.float64)
+    except RecursionError:
+        raise CourseError(f"{shown} is not a formula: it is nested too deeply.") from None
+    except TypeError:  # minus a comparison
+        raise CourseError(f"{shown} is not a formula: a comparison is no number.") from None
+
+
+def _shortened(node: ast.expr) -> str:
+    text = ast.unparse(node)
+    return text if len(text) <= 60 else text[:60] + "..."

@@ -221,7 +221,9 @@ def _mark_named(
         response = session.evaluate(question.name, marker.probe(question.id).sent)
     except Stopped as stop:
         return stopped(question, stop.status)
-    if response.get("reason") == "missing" and _defining_cell_failed(question.name, cells, report):
+    reason = response.get("reason")
+    missing = isinstance(reason, str) and reason == "missing"
+    if missing and _defining_cell_failed(question.name, cells, report):
         return stopped(
             question,
             "error",

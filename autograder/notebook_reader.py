@@ -98,7 +98,7 @@ def parse_json(data: bytes, name: str) -> Any:
     if not data.strip():
         raise Unreadable(f"{name} is empty; save it again before handing it in.")
     try:
-        encoding = json.detect_encoding(data)  # type: ignore[attr-defined]
+        encoding = json.detect_encoding(data)
         text = data.decode(encoding)
     except UnicodeDecodeError:
         raise Unreadable(f"{name} is not text; hand in the .ipynb file itself.") from None

@@ -5,6 +5,7 @@ Nothing here knows an answer; these files go to students.
 
 from __future__ import annotations
 
+import keyword
 import re
 from dataclasses import dataclass
 from typing import Any, ClassVar
@@ -137,27 +138,29 @@ def question_from_table(table: dict[str, Any], chapter: str) -> Question:
     """
     where = f"question {table.get('id', '?')!r} in notebooks/questions/{chapter}.toml"
     kind = table.get("kind")
-    if kind not in KINDS:
+    if not isinstance(kind, str) or kind not in KINDS:
         raise CourseError(f"{where}: kind {kind!r} is not one of {', '.join(KINDS)}.")
     unknown = set(table) - _COMMON - _OWN[kind]
     if unknown:
         raise CourseError(f"{where}: unknown field {sorted(unknown)[0]!r}; remove or correct it.")
 
-    def take(field: str, expected: type, default: Any = ...) -> Any:
+    def take(field: str, expected: type | tuple[type, ...], default: Any = ...) -> Any:
         value = table.get(field, default)
         if value is ...:
             raise CourseError(f"{where}: the field {field!r} is missing.")
-        if not isinstance(value, expected) or (expected is int and isinstance(value, bool)):
-            raise CourseError(
-                f"{where}: {field} is {value!r}, but a {expected.__name__} is needed."
-            )
+        # To Python a truth value is an int.
+        if not isinstance(value, expected) or (isinstance(value, bool) and expected is not bool):
+            raise CourseError(f"{where}: {field} is {value!r}, which has the wrong type.")
         return value
 
     def take_name(field: str) -> str:
         name = take(field, str)
-        if not _NAME.fullmatch(name):
+        check_name(field, name)
+        return str(name)
+
+    def check_name(field: str, name: str) -> None:
+        if not _NAME.fullmatch(name) or keyword.iskeyword(name):
             raise CourseError(f"{where}: {field} is {name!r}, which is no Python name.")
-        return name
 
     def take_texts(field: str) -> tuple[str, ...]:
         texts = take(field, list)
@@ -185,33 +188,44 @@ def question_from_table(table: dict[str, Any], chapter: str) -> Question:
             raise CourseError(f"{where}: a statement is worth one point; remove points.")
         return TrueFalse(**common, points=float(len(statements)), statements=statements)
 
-    points = float(take("points", (int | float)))  # type: ignore[arg-type]
+    points = float(take("points", (int, float)))
     if not 0 < points < float("inf"):
         raise CourseError(f"{where}: points must be a positive number.")
     common["points"] = points
     if kind == "order":
         cards = take("cards", list)
         for card in cards:
-            if not (isinstance(card, dict) and card.keys() == {"id", "text"}):
+            if not (
+                isinstance(card, dict)
+                and card.keys() == {"id", "text"}
+                and all(isinstance(text, str) and text.strip() for text in card.values())
+            ):
                 raise CourseError(f"{where}: each card needs exactly an id and a text.")
-        read = tuple(Card(str(card["id"]), str(card["text"])) for card in cards)
+        read = tuple(Card(card["id"], card["text"]) for card in cards)
         if len({card.id for card in read}) != len(read) or len(read) < 2:
             raise CourseError(f"{where}: needs at least two cards, each with an id of its own.")
         return Order(**common, cards=read)
     if kind == "number":
         integer = take("integer", bool, False)
-        if not integer and "decimals" not in table:
-            raise CourseError(f"{where}: say integer = true or decimals = N.")
+        if integer == ("decimals" in table):
+            raise CourseError(f"{where}: say either integer = true or decimals = N.")
+        decimals = take("decimals", int, 6)
+        if not 0 <= decimals <= 15:
+            raise CourseError(f"{where}: decimals is {decimals}; give a number from 0 to 15.")
         return Number(
             **common,
             variable=take_name("variable"),
             integer=integer,
-            decimals=take("decimals", int, 6),
+            decimals=decimals,
             unit=take("unit", str, ""),
         )
     if kind == "expression":
         symbols = take("symbols", dict)
         if not symbols:
             raise CourseError(f"{where}: declare at least one symbol.")
+        for name, meaning in symbols.items():
+            check_name("a symbol", name)
+            if not (isinstance(meaning, str) and meaning.strip()):
+                raise CourseError(f"{where}: say in words what the symbol {name!r} means.")
         return Expression(**common, variable=take_name("variable"), symbols=tuple(symbols.items()))
     return Function(**common, function=take_name("function"))

@@ -36,14 +36,16 @@ def fit_line(points: np.ndarray, weights: np.ndarray | None = None) -> Line:
     weights = np.ones(len(points)) if weights is None else np.asarray(weights, dtype=float)
 
     # Sums of centred coordinates: squares of large coordinates would lose their last digits.
-    center = np.average(points, axis=0, weights=weights)
+    W = weights.sum()
+    center = weights @ points / W
     dx, dy = (points - center).T
-    S_xx, S_xy, S_yy = np.sum(weights * [dx * dx, dx * dy, dy * dy], axis=1)
+    S_xx, S_xy, S_yy = weights @ (dx * dx), weights @ (dx * dy), weights @ (dy * dy)
 
     # R says how much longer than wide the cloud is. With R = 0 every direction fits as well.
     R = math.hypot(S_yy - S_xx, 2 * S_xy)
-    rounding = 8 * np.finfo(float).eps * np.abs(points).max()
-    if not rounding * math.sqrt(weights.sum() * (S_xx + S_yy)) < R:
+    size = math.sqrt((S_xx + S_yy) / W)
+    rounding = 2e-15 * (size + math.hypot(*center))  # of the coordinates, in float64
+    if not W * size * rounding < R:
         raise ValueError("No line: the points are all equal, or equally wide in all directions.")
 
     # atan2 keeps the quadrant, which makes this the minimum; arctan may give the maximum.

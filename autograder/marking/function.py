@@ -75,11 +75,9 @@ def mark_function(
     feedback = (
         f"Right on {right} of {len(parts)} kinds of input. Not yet on: " + "; ".join(failing) + "."
     )
-    if right == 0 and all("raised" in outcome for outcome in outcomes if isinstance(outcome, dict)):
-        name = outcomes[0].get("raised") if isinstance(outcomes[0], dict) else None
-        feedback = (
-            f"It raises {_known_error(name)} on every input. Try it on a small example first."
-        )
+    if all(isinstance(outcome, dict) and "raised" in outcome for outcome in outcomes):
+        name = _known_error(outcomes[0]["raised"])
+        feedback = f"It raises {name} on every input. Try it on a small example first."
         return Mark(question.id, "error", 0.0, question.points, feedback, **known)
     return Mark(question.id, status_for(credit), credit, question.points, feedback, **known)
 
@@ -105,11 +103,11 @@ def agrees(compare: Compare, case: dict[str, Any], expected: Outcome, actual: An
     """Whether an outcome counts as the expected one; anything malformed does not."""
     if not isinstance(actual, dict):
         return False
-    if "value" not in expected:
-        return "value" not in actual and actual == expected
-    if "value" not in actual:
-        return False
     try:
+        if "value" not in expected:
+            return "value" not in actual and bool(actual == expected)
+        if "value" not in actual:
+            return False
         return bool(compare(case, expected["value"], actual["value"]))
     except Exception:
         # The value is a student's and may be anything; one that compare cannot read is not equal.
@@ -156,8 +154,9 @@ def _what_happened(outcomes: Sequence[Any], indices: Sequence[int]) -> str:
         if isinstance(outcome, dict) and "raised" in outcome:
             return f" (it raises {_known_error(outcome['raised'])})"
         if isinstance(outcome, dict) and "unusable" in outcome:
-            reason = str(outcome["unusable"])
-            return f" ({REASONS.get(reason, REASONS['not plain'])})"
+            reason = outcome["unusable"]
+            known = isinstance(reason, str) and reason in REASONS
+            return f" ({REASONS[reason if known else 'not plain']})"
     return ""
 
 

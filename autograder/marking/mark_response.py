@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
-from typing import Any
+from typing import Any, TypeGuard
 
 from autograder import answers as a
 from autograder import questions as q
@@ -34,15 +35,18 @@ def mark_response(
         if response is None:
             return not_attempted(question)
         return mark_order(question, answer, response)
+    response = response if isinstance(response, dict) else {}
     mark = _mark_evaluated(question, answer, probe, response)
     return mark if mark.understood else replace(mark, understood=understood)
 
 
-def _mark_evaluated(question: q.Question, answer: a.Answer, probe: Probe, response: Any) -> Mark:
-    state = response.get("state") if isinstance(response, dict) else None
+def _mark_evaluated(
+    question: q.Question, answer: a.Answer, probe: Probe, response: dict[str, Any]
+) -> Mark:
+    state, reason = _text(response.get("state")), _text(response.get("reason"))
     if state == "not attempted":
         return not_attempted(question)
-    if state == "unusable" and response.get("reason") == "missing":
+    if state == "unusable" and reason == "missing":
         return not_attempted(question, f"Nothing called {question.name} was found.")
     if state == "raised":
         feedback = f"Evaluating {question.name} raised an exception."
@@ -50,7 +54,7 @@ def _mark_evaluated(question: q.Question, answer: a.Answer, probe: Probe, respon
     if state == "given":
         if isinstance(question, q.Number) and isinstance(answer, a.NumberAnswer):
             value = response.get("value")
-            if isinstance(value, int | float) and abs(value) < float("inf"):
+            if _is_finite_number(value):
                 return mark_number(question, answer, value)
         if isinstance(question, q.Expression) and isinstance(answer, a.ExpressionAnswer):
             return mark_expression(question, answer, probe.points, response.get("values"))
@@ -60,7 +64,6 @@ def _mark_evaluated(question: q.Question, answer: a.Answer, probe: Probe, respon
             and probe.expected is not None
         ):
             return mark_function(question, answer, probe.expected, response.get("outcomes"))
-    reason = str(response.get("reason")) if isinstance(response, dict) else ""
     said = REASONS.get(reason, "it could not be read")
     if reason == "symbol unknown" and isinstance(question, q.Expression):
         said += " (declared are " + ", ".join(name for name, _ in question.symbols) + ")"
@@ -72,3 +75,16 @@ def _mark_evaluated(question: q.Question, answer: a.Answer, probe: Probe, respon
         f"{question.name} cannot be marked: {said}.",
         alternative="not usable",
     )
+
+
+def _text(value: Any) -> str:
+    return value if isinstance(value, str) else ""
+
+
+def _is_finite_number(value: Any) -> TypeGuard[int | float]:
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        return False
+    try:
+        return math.isfinite(value)
+    except OverflowError:  # an integer of 400 digits
+        return False

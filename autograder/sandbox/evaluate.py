@@ -99,17 +99,17 @@ def _plain_number(response: Any) -> int | float:
             raise _Unusable("symbols left")
         response = int(response) if response.is_Integer else complex(response.evalf())
     if isinstance(response, numbers.Integral):
-        value = int(response)
-        if value.bit_length() > 1000:
+        integer = int(response)
+        if integer.bit_length() > 1000:
             raise _Unusable("not finite")
-        return value
+        return integer
     if isinstance(response, numbers.Complex) or hasattr(response, "__float__"):
-        value = complex(response)
-        if abs(value.imag) > 1e-12 * max(1.0, abs(value.real)) or math.isnan(value.imag):
+        number = complex(response)
+        if abs(number.imag) > 1e-12 * max(1.0, abs(number.real)) or math.isnan(number.imag):
             raise _Unusable("not a number")
-        if not math.isfinite(value.real):
+        if not math.isfinite(number.real):
             raise _Unusable("not finite")
-        return value.real
+        return number.real
     raise _Unusable("not a number")
 
 
@@ -140,9 +140,9 @@ def _expression(response: Any, probe: dict[str, Any]) -> dict[str, Any]:
             raise _Unusable("text")
         if callable(response):
             raise _Unusable("callable")
-        if not isinstance(response, numbers.Number):
+        if not isinstance(response, numbers.Complex):
             raise _Unusable("not an expression")
-        return {"values": np.full(count, complex(response))}  # type: ignore[arg-type]
+        return {"values": np.full(count, complex(response))}
     import sympy as sp
 
     if isinstance(response, sp.Eq):
@@ -221,6 +221,8 @@ def to_plain(value: Any, depth: int = 0) -> Any:
         return value if value is None else (str(value) if isinstance(value, str) else bool(value))
     if isinstance(value, np.ndarray):
         array = np.array(value, subok=False)
+        if array.dtype in (np.longdouble, np.clongdouble):
+            array = array.astype(complex if array.dtype.kind == "c" else float)
         if array.dtype.kind in "biufc":
             return array
         return [to_plain(entry, depth + 1) for entry in array.tolist()]

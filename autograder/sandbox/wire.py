@@ -15,6 +15,7 @@ from __future__ import annotations
 
 import json
 import math
+import re
 import struct
 from collections.abc import Callable
 from typing import Any
@@ -26,6 +27,9 @@ MAX_JSON = 16 * 2**20
 MAX_ARRAYS = 256 * 2**20
 MAX_DEPTH = 32
 _KINDS = "biufc"
+_ITEM_SIZES = {"b": (1,), "i": (1, 2, 4, 8), "u": (1, 2, 4, 8), "f": (2, 4, 8), "c": (8, 16)}
+_TYPE = re.compile(r"[<>|=]?([biufc])(\d{1,2})")
+_MAX_DIMENSIONS = 32
 
 
 class WireError(Exception):
@@ -85,23 +89,39 @@ def decode(text: bytes, raw: bytes) -> Any:
         body, table = message["body"], message["arrays"]
         arrays, at = [], 0
         for code, shape in table:
-            dtype = np.dtype(str(code))
-            if dtype.kind not in _KINDS or dtype.itemsize > 32:
-                raise WireError("an array of a type that is not allowed")
-            if len(shape) > MAX_DEPTH or not all(
+            dtype = _allowed_type(code)
+            if len(shape) > _MAX_DIMENSIONS or not all(
                 isinstance(n, int) and 0 <= n <= MAX_ARRAYS for n in shape
             ):
                 raise WireError("an array of an impossible shape")
             size = dtype.itemsize * math.prod(shape)
             if at + size > len(raw):
                 raise WireError("an array is longer than its bytes")
-            arrays.append(np.frombuffer(raw[at : at + size], dtype).reshape(shape))
+            array = np.frombuffer(raw[at : at + size], dtype)
+            if dtype.kind == "b":  # any other byte than 0 and 1 would be no truth value to NumPy
+                array = array.view(np.uint8) != 0
+            arrays.append(array.reshape(shape))
             at += size
         if at != len(raw):
             raise WireError("bytes that belong to no array")
         return _restore(body, arrays)
-    except (ValueError, TypeError, KeyError, RecursionError, OverflowError, SyntaxError) as error:
+    except (
+        ValueError,
+        TypeError,
+        LookupError,
+        AttributeError,
+        RecursionError,
+        OverflowError,
+    ) as error:
         raise WireError(f"not a message: {type(error).__name__}") from None
+
+
+def _allowed_type(code: Any) -> np.dtype[Any]:
+    """The number type that a code such as ``<f8`` names."""
+    match = _TYPE.fullmatch(code) if isinstance(code, str) else None
+    if match is None or int(match[2]) not in _ITEM_SIZES[match[1]]:
+        raise WireError("an array of a type that is not allowed")
+    return np.dtype(code)
 
 
 def _restore(item: Any, arrays: list[np.ndarray], depth: int = 0) -> Any:

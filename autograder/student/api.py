@@ -6,38 +6,40 @@ from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
-from autograder.course import Course, find_course_root, load_course
+from autograder.course import find_course_root, load_course
 from autograder.errors import AutograderError, UsageError
-from autograder.marking.mark import Mark, not_attempted, stopped
-from autograder.marking.order import fits_order
-from autograder.marking.true_false import fits_true_false
-from autograder.questions import Order, Question, TrueFalse
-from autograder.sandbox.evaluate import describe, evaluate
+from autograder.questions import Order, TrueFalse
+from autograder.student import unsaved
+from autograder.student.choices import read_choice
+from autograder.student.desk import Desk
+from autograder.student.frontend import widgets_wanted
+from autograder.student.live import Live
 from autograder.student.marker_client import marker_for
-from autograder.student.responses import Responses, responses_folder
+from autograder.student.responses import answered, responses_folder
 from autograder.student.submission import pack_submission
 from autograder.student.views import MarkView, ProgressView, QuestionView, SubmissionView
 
 MISSING: Any = object()
 
+unsaved.watch()
+
 
 @lru_cache(maxsize=1)
-def _course_at(root: Path) -> Course:
-    return load_course(root)
+def _desk_at(root: Path) -> Desk:
+    return Desk(load_course(root))
 
 
-def _course() -> Course:
-    return _course_at(find_course_root())
-
-
-def _responses(course: Course, chapter: str) -> Responses:
-    return Responses(responses_folder(course.root), chapter)
+def _desk() -> Desk:
+    desk = _desk_at(find_course_root())
+    for sentence in desk.mend():
+        print(sentence)
+    return desk
 
 
 class Asked(QuestionView):
     """A question on show; ``respond`` answers it."""
 
-    def respond(self, response: Any) -> MarkView | None:
+    def respond(self, response: Any) -> Any:
         """Record a response and mark it.
 
         A true/false question takes a list of True, False or None; an order question a list of
@@ -46,7 +48,7 @@ class Asked(QuestionView):
         return _try(lambda: _respond(self.question.id, response))
 
 
-def ask(id: str) -> Asked | None:
+def ask(id: str) -> Any:
     """Show a question.
 
     Args:
@@ -55,7 +57,7 @@ def ask(id: str) -> Asked | None:
     return _try(lambda: _ask(id))
 
 
-def check(id: str, response: Any = MISSING) -> MarkView | None:
+def check(id: str, response: Any = MISSING) -> Any:
     """Mark a response: a value, an expression or a function, as the question asks.
 
     For a true/false or an order question, leave the response out: what was answered there is
@@ -64,12 +66,12 @@ def check(id: str, response: Any = MISSING) -> MarkView | None:
     return _try(lambda: _check(id, response))
 
 
-def progress() -> ProgressView | None:
+def progress() -> Any:
     """Show the points so far, chapter by chapter."""
     return _try(lambda: _progress())
 
 
-def submit() -> SubmissionView | None:
+def submit() -> Any:
     """Pack the notebooks and responses into ``submission.zip`` and say what is unanswered."""
     return _try(lambda: _submit())
 
@@ -83,135 +85,63 @@ def _try(action: Any) -> Any:
         return None
 
 
-def _ask(id: str) -> Asked:
-    course = _course()
-    question = course.question(id)
-    marker_for(course)  # starts marking in the background while the student reads
-    entry = _responses(course, question.chapter).get(id)
-    return Asked(question, entry.get("response"))
+def _shown(view: Any, widget: str, *arguments: Any) -> Any:
+    """The view itself, or a widget where one can be drawn."""
+    return Live(view, widget, *arguments) if widgets_wanted() else view
 
 
-def _respond(id: str, response: Any) -> MarkView:
-    course = _course()
-    question = course.question(id)
+def _ask(id: str) -> Any:
+    desk = _desk()
+    question = desk.course.question(id)
+    marker_for(desk.course)  # starts marking in the background while the student reads
+    view = Asked(question, desk.entry(question).get("response"))
+    return _shown(view, "question_widget", desk, question)
+
+
+def _respond(id: str, response: Any) -> Any:
+    desk = _desk()
+    question = desk.course.question(id)
     if not isinstance(question, TrueFalse | Order):
         return _check(id, response)
-    chosen = _read_choice(question, response)
-    mark = _mark_choice(course, question, chosen)
-    _record(course, question, mark, chosen)
-    return MarkView(question, mark, chosen)
+    chosen = read_choice(question, response)
+    desk.keep(question, lambda before: chosen)
+    return MarkView(question, desk.mark_choice(question), chosen)
 
 
-def _check(id: str, response: Any) -> MarkView:
-    course = _course()
-    question = course.question(id)
+def _check(id: str, response: Any) -> Any:
+    desk = _desk()
+    question = desk.course.question(id)
     if isinstance(question, TrueFalse | Order):
         if response is not MISSING:
             return _respond(id, response)
-        chosen = _responses(course, question.chapter).get(id).get("response")
-        return MarkView(question, _mark_choice(course, question, chosen), chosen)
+        chosen = desk.entry(question).get("response")
+        return MarkView(question, desk.mark_choice(question, count=False), chosen)
     if response is MISSING:
         raise UsageError(f'Give your response too: check("{id}", {question.name}).')
-    marker = marker_for(course)
-    understood = "" if response is ... else describe(response)
-    if response is ... or marker is None:
-        # Without a key an untouched stub is still told from a response.
-        untouched = response is ... or _is_stub(response)
-        mark = not_attempted(question) if untouched else stopped(question, "recorded")
-    else:
-        reply = evaluate(response, marker.probe(id))
-        mark = marker.mark(id, reply, understood)
-    if mark.status != "not attempted":
-        _record(course, question, mark, None, understood)
-    return MarkView(question, mark, None)
+    mark = desk.mark_value(question, response)
+    view = MarkView(question, mark, desk.entry(question).get("response"))
+    return _shown(view, "value_widget", desk, question, response, mark)
 
 
-def _is_stub(response: Any) -> bool:
-    """Whether a function still only raises NotImplementedError, as the handout's stub does."""
-    code = getattr(response, "__code__", None)
-    return code is not None and code.co_names == ("NotImplementedError",)
+def _progress() -> Any:
+    desk = _desk()
+    return _shown(ProgressView(desk.course, desk.entries()), "progress_widget", desk)
 
 
-def _untouched(question: Question, chosen: list[Any]) -> bool:
-    """Whether every statement is still open, or the cards lie as they were dealt."""
-    if isinstance(question, Order):
-        return tuple(chosen) == question.start
-    return all(said is None for said in chosen)
+def _submit() -> Any:
+    desk = _desk()
+    view = _pack(desk)
+    return _shown(view, "submission_widget", desk, view, lambda: _pack(desk))
 
 
-def _mark_choice(course: Course, question: Question, chosen: Any) -> Mark:
-    if chosen is None:
-        return not_attempted(question)
-    marker = marker_for(course)
-    if marker is None:
-        # Without a key untouched work is still told from a response.
-        return (
-            not_attempted(question)
-            if _untouched(question, chosen)
-            else stopped(question, "recorded")
-        )
-    return marker.mark(question.id, chosen)
-
-
-def _read_choice(question: TrueFalse | Order, response: Any) -> list[Any]:
-    """The response in the form in which it is kept.
-
-    Raises:
-        UsageError: if it does not fit the question.
-    """
-    response = list(response) if isinstance(response, list | tuple) else response
-    if isinstance(question, TrueFalse):
-        if not fits_true_false(question, response):
-            count = len(question.statements)
-            raise UsageError(
-                f"{question.id} has {count} statements: respond with a list of {count} True or "
-                "False (None leaves one open). Nothing was changed."
-            )
-        return response
-    if isinstance(response, list) and all(
-        isinstance(n, int) and 1 <= n <= len(question.cards) for n in response
-    ):
-        response = [question.start[n - 1] for n in response]
-    if not fits_order(question, response):
-        raise UsageError(
-            f"{question.id} has {len(question.cards)} cards: respond with a list that names each "
-            "card once, by the number or the id shown beside it. Nothing was changed."
-        )
-    return response
-
-
-def _record(
-    course: Course, question: Question, mark: Mark, response: Any, understood: str = ""
-) -> None:
-    _responses(course, question.chapter).record(
-        question.id,
-        {
-            "kind": question.kind,
-            "response": response,
-            "understood": understood,
-            "status": mark.status,
-            "points": mark.points,
-        },
+def _pack(desk: Desk) -> SubmissionView:
+    packed = pack_submission(desk.course, responses_folder(desk.course.root))
+    entries = desk.entries()
+    unanswered = [
+        question
+        for question in desk.course.questions.values()
+        if not answered(entries[question.chapter].get(question.id))
+    ]
+    return SubmissionView(
+        packed, unanswered, len(desk.course.questions), unsaved.changed_notebook(packed.path.parent)
     )
-
-
-def _progress() -> ProgressView:
-    course = _course()
-    return ProgressView(
-        course,
-        {chapter.name: _responses(course, chapter.name).all() for chapter in course.chapters},
-    )
-
-
-def _submit() -> SubmissionView:
-    course = _course()
-    folder = responses_folder(course.root)
-    packed = pack_submission(course, folder)
-    answered = {
-        id
-        for chapter in course.chapters
-        for id, entry in Responses(folder, chapter.name).all().items()
-        if entry.get("status") != "not attempted"
-    }
-    unanswered = [question for question in course.questions.values() if question.id not in answered]
-    return SubmissionView(packed, unanswered, len(course.questions))

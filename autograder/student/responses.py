@@ -1,10 +1,11 @@
-"""Responses kept beside the notebooks, a JSON file a chapter: the truth about what was answered."""
+"""Responses kept beside the notebooks, a JSON file a chapter: the truth of what was answered."""
 
 from __future__ import annotations
 
 import json
 import os
 import tempfile
+from collections.abc import Callable
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
@@ -14,68 +15,135 @@ from filelock import FileLock, Timeout
 from autograder.errors import AutograderError
 
 LOCK_SECONDS = 10.0
+Entry = dict[str, Any]
 
 
 class ResponsesError(AutograderError):
     """A response could not be kept."""
 
 
+def notebooks_folder(course_root: Path) -> Path:
+    """The folder of the notebook that is running, or else the course's own notebooks.
+
+    A notebook's kernel runs in the notebook's folder.
+    """
+    here = Path.cwd()
+    return here if any(here.glob("*.ipynb")) else course_root / "notebooks"
+
+
 def responses_folder(course_root: Path) -> Path:
     """The folder ``responses`` beside the notebook that is running.
 
-    A notebook's kernel runs in the notebook's folder. Anywhere else it is the folder beside the
-    course's notebooks. The environment variable ``AUTOGRADER_RESPONSES`` names another one.
+    The environment variable ``AUTOGRADER_RESPONSES`` names another one.
     """
     given = os.environ.get("AUTOGRADER_RESPONSES")
-    if given:
-        return Path(given)
-    here = Path.cwd()
-    beside = here if any(here.glob("*.ipynb")) else course_root / "notebooks"
-    return beside / "responses"
+    return Path(given) if given else notebooks_folder(course_root) / "responses"
 
 
 class Responses:
-    """The responses to one chapter's questions."""
+    """The responses to one chapter's questions.
 
-    def __init__(self, folder: Path, chapter: str) -> None:
+    ``rescue`` is asked for entries that are known from elsewhere when the file is missing or
+    damaged.
+    """
+
+    def __init__(
+        self, folder: Path, chapter: str, rescue: Callable[[], dict[str, Entry]] = dict
+    ) -> None:
         self.path = folder / f"{chapter}.json"
         self.chapter = chapter
+        self._rescue = rescue
 
-    def all(self) -> dict[str, dict[str, Any]]:
-        """Every entry by question id; a damaged file counts as none and is left for `record`."""
+    def all(self) -> dict[str, Entry]:
+        """Every entry by question id; a damaged file counts as none."""
         return self._read() or {}
 
-    def get(self, id: str) -> dict[str, Any]:
+    def get(self, id: str) -> Entry:
         """The entry of one question, empty if it has not been answered."""
         return self.all().get(id, {})
 
-    def record(self, id: str, entry: dict[str, Any]) -> None:
-        """Write one entry: all of it or nothing, even if two notebooks write at once.
+    def record(self, id: str, entry: Entry) -> None:
+        """Write one entry and count an attempt.
 
-        A damaged file is kept aside under another name.
+        Raises:
+            ResponsesError: if the folder cannot be written.
+        """
+        self.update(id, lambda before: {**entry, "attempts": attempts(before) + 1})
+
+    def update(self, id: str, change: Callable[[Entry], Entry]) -> Entry:
+        """Read an entry, change it and write it: all of it or nothing, even if two kernels do so.
 
         Raises:
             ResponsesError: if the folder cannot be written.
         """
         try:
-            self.path.parent.mkdir(parents=True, exist_ok=True)
-            with FileLock(self.path.with_suffix(".lock"), timeout=LOCK_SECONDS):
+            with self._lock():
                 entries = self._read()
                 if entries is None:
                     self._set_aside()
-                    entries = {}
-                attempts = entries.get(id, {}).get("attempts", 0)
-                attempts = attempts + 1 if isinstance(attempts, int) else 1
-                answered_at = datetime.now(UTC).isoformat(timespec="seconds")
-                entries[id] = {**entry, "attempts": attempts, "answered_at": answered_at}
+                    entries = self._rescue()
+                before = entries.get(id, {})
+                after = change(dict(before))
+                if after == before:
+                    return before
+                now = datetime.now(UTC).isoformat(timespec="seconds")
+                entries[id] = {**after, "answered_at": now}
                 self._write(entries)
+                return entries[id]
         except (OSError, Timeout) as error:
-            raise ResponsesError(
-                f"Your response to {id} was NOT saved: {self.path.parent} cannot be written "
-                f"({error}). Move the course to a folder of your own and answer again."
-            ) from None
+            raise ResponsesError(self._refusal(f"Your response to {id}", error)) from None
 
-    def _read(self) -> dict[str, dict[str, Any]] | None:
+    def mend(self) -> str:
+        """Put right a damaged or missing file as far as possible, and say what was done.
+
+        Returns an empty string where there was nothing to do.
+
+        Raises:
+            ResponsesError: if the folder cannot be written.
+        """
+        if self.path.exists() and self._read() is not None:
+            return ""
+        damaged = self.path.exists()
+        rescued = self._rescue()
+        if not damaged and not rescued:
+            return ""
+        try:
+            with self._lock():
+                aside = self._set_aside() if damaged else None
+                self._write(rescued)
+        except (OSError, Timeout) as error:
+            raise ResponsesError(self._refusal("The file of your responses", error)) from None
+        found = f"{len(rescued)} answer{'' if len(rescued) == 1 else 's'}"
+        if aside is None:
+            return (
+                f"{self.path.name} was missing; {found} came back from what the notebook shows. "
+                "Look through them."
+            )
+        return (
+            f"{self.path.name} was damaged and is kept as {aside.name}; {found} came back from "
+            "what the notebook shows. Look through them, and answer again what is missing."
+        )
+
+    def refusal(self) -> str:
+        """Why nothing can be saved here, or an empty string where it can."""
+        try:
+            with self._lock(), tempfile.TemporaryFile(dir=self.path.parent):
+                return ""
+        except (OSError, Timeout) as error:
+            return self._refusal("What you answer here", error)
+
+    def _refusal(self, what: str, error: Exception) -> str:
+        reason = getattr(error, "strerror", None) or "another program holds it"
+        return (
+            f"{what} was NOT saved: {self.path.parent} cannot be written ({reason}). "
+            "Move the course to a folder of your own and answer again."
+        )
+
+    def _lock(self) -> FileLock:
+        self.path.parent.mkdir(parents=True, exist_ok=True)
+        return FileLock(self.path.with_suffix(".lock"), timeout=LOCK_SECONDS)
+
+    def _read(self) -> dict[str, Entry] | None:
         """The entries; None if the file is damaged."""
         try:
             stored = json.loads(self.path.read_text(encoding="utf-8"))
@@ -88,13 +156,13 @@ class Responses:
             return entries
         return None
 
-    def _set_aside(self) -> None:
+    def _set_aside(self) -> Path:
         stamp = datetime.now(UTC).strftime("%Y%m%dT%H%M%S")
         aside = self.path.with_name(f"{self.path.stem}.damaged-{stamp}.json")
         os.replace(self.path, aside)
-        print(f"{self.path.name} was damaged; it is kept as {aside.name}, and a new one is begun.")
+        return aside
 
-    def _write(self, entries: dict[str, dict[str, Any]]) -> None:
+    def _write(self, entries: dict[str, Entry]) -> None:
         text = json.dumps({"chapter": self.chapter, "responses": entries}, indent=1)
         descriptor, unfinished = tempfile.mkstemp(dir=self.path.parent, suffix=".tmp")
         try:
@@ -106,3 +174,20 @@ class Responses:
         except BaseException:
             os.unlink(unfinished)
             raise
+
+
+def attempts(entry: Entry) -> int:
+    """How often a question was checked; nonsense in the file counts as never."""
+    count = entry.get("attempts", 0)
+    return count if isinstance(count, int) and count >= 0 else 0
+
+
+def answered(entry: Entry | None) -> bool:
+    """Whether an entry holds a response."""
+    return bool(entry) and (entry or {}).get("status") != "not attempted"
+
+
+def points(entry: Entry | None) -> float:
+    """The points of an entry; nonsense in the file counts as none."""
+    earned = (entry or {}).get("points", 0.0)
+    return float(earned) if isinstance(earned, int | float) else 0.0

@@ -7,10 +7,12 @@ from typing import Any
 from autograder.course import Course
 from autograder.marking.mark import Mark
 from autograder.questions import Expression, Order, Question, TrueFalse
+from autograder.student.choices import in_words
+from autograder.student.receipts import RECEIPT, receipt
+from autograder.student.responses import answered, points
 from autograder.student.submission import Packed
 
-RECEIPT = "application/vnd.autograder.response+json"
-_SIGNS = {
+SIGNS = {
     "right": "✓",
     "partial": "◐",
     "wrong": "✗",
@@ -83,10 +85,9 @@ class QuestionView(_View):
             example = ", ".join(["True", "False", "..."])
             lines += ["", f'Answer with `ask("{question.id}").respond([{example}])`.']
         elif isinstance(question, Order):
-            texts = {card.id: card.text for card in question.cards}
             lines += [f"{n}. {card.text} (`{card.id}`)" for n, card in enumerate(question.cards, 1)]
             if self.response:
-                lines += ["", "Your order: " + " › ".join(texts[card] for card in self.response)]
+                lines += ["", "Your order: " + in_words(question, self.response)]
             lines += [
                 "",
                 f'Answer with `ask("{question.id}").respond([...])`: '
@@ -101,7 +102,7 @@ class QuestionView(_View):
     def receipt(self) -> dict[str, Any] | None:
         if self.response is None:
             return None
-        return {"question": self.question.id, "response": self.response}
+        return receipt(self.question.id, self.response)
 
 
 class MarkView(_View):
@@ -114,7 +115,7 @@ class MarkView(_View):
 
     def lines(self) -> list[str]:
         mark = self.mark
-        sign = _SIGNS.get(mark.status, "!")
+        sign = SIGNS.get(mark.status, "!")
         earned = (
             ""
             if mark.status == "recorded"
@@ -138,7 +139,7 @@ class MarkView(_View):
     def receipt(self) -> dict[str, Any] | None:
         if self.response is None:
             return None
-        return {"question": self.question.id, "response": self.response}
+        return receipt(self.question.id, self.response)
 
 
 class ProgressView(_View):
@@ -153,11 +154,11 @@ class ProgressView(_View):
         total, most = 0.0, 0.0
         for chapter in self.course.chapters:
             entries = self.entries[chapter.name]
-            earned = sum(_points(entries.get(question.id)) for question in chapter.questions)
+            earned = sum(points(entries.get(question.id)) for question in chapter.questions)
             possible = sum(question.points for question in chapter.questions)
-            answered = sum(question.id in entries for question in chapter.questions)
+            count = sum(answered(entries.get(question.id)) for question in chapter.questions)
             lines.append(
-                f"| {chapter.title} | {answered} of {len(chapter.questions)} "
+                f"| {chapter.title} | {count} of {len(chapter.questions)} "
                 f"| {number(earned)} of {number(possible)} |"
             )
             total, most = total + earned, most + possible
@@ -169,18 +170,16 @@ class ProgressView(_View):
         return "\n".join(f"{row[0]:<24}{row[1]:>10}{row[2]:>14}" for row in cells)
 
 
-def _points(entry: dict[str, Any] | None) -> float:
-    points = (entry or {}).get("points", 0.0)
-    return float(points) if isinstance(points, int | float) else 0.0
-
-
 class SubmissionView(_View):
     """What was packed and what is unanswered."""
 
-    def __init__(self, packed: Packed, unanswered: list[Question], count: int) -> None:
+    def __init__(
+        self, packed: Packed, unanswered: list[Question], count: int, unsaved: str | None = None
+    ) -> None:
         self.packed = packed
         self.unanswered = unanswered
         self.count = count
+        self.unsaved = unsaved
 
     def lines(self) -> list[str]:
         notebooks = [name for name in self.packed.names if name.endswith(".ipynb")]
@@ -189,6 +188,12 @@ class SubmissionView(_View):
             "responses, as last saved. Hand in this file.",
             "",
         ]
+        if self.unsaved:
+            lines += [
+                f"**Not saved yet:** {self.unsaved} differs from what you ran last. "
+                "Save it and call `submit()` again.",
+                "",
+            ]
         if not self.unanswered:
             return [*lines, f"All {self.count} questions are answered."]
         ids = ", ".join(question.id for question in self.unanswered)

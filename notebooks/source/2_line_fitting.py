@@ -1,11 +1,12 @@
 # %% [markdown]
 # # 2 Line fitting
 #
-# The robot has turned from the campus into a building. A laser scanner on it sends out a beam in 180
-# directions, parallel to the floor, and measures how far each gets. Along a wall, the end points of
-# the beams lie on a line. If the robot can find these lines, it knows how it stands in the corridor.
+# The robot has turned from the campus into a building. Its laser scanner sends a beam in each of 180
+# directions, parallel to the floor, and measures how far it gets. Along a wall, the end points of
+# the beams lie on a line. If the robot finds these lines, it knows how it stands in the corridor.
 #
-# But no measurement is exact, so no line goes through all the points. Which line is the best?
+# At the end of this chapter you will have derived the line that is closest to a set of points, written
+# the function that finds it, and worked out how far it can be trusted.
 
 # %%
 import math
@@ -14,28 +15,76 @@ from typing import NamedTuple
 import numpy as np
 import sympy as sp
 
+import data
 from autograder import ask, check, progress, submit
+from notebooks import figures
 
 # %% [markdown]
+# Here is one scan from a real robot, in the corridors of MIT's Killian Court. Beam number $i$ has the
+# angle `angles[i]` in radians and the length `ranges[i]` in metres; the robot stands at the origin and looks
+# along the $x$-axis. Sine and cosine turn the beams into points:
+
+# %%
+scans = data.killian_court()
+ranges, angles = scans.ranges[161], scans.angles
+points = np.column_stack([ranges * np.cos(angles), ranges * np.sin(angles)])
+wall = points[77:131]
+figures.scan(points, wall)
+
+# %% [markdown]
+# The robot comes to the end of a corridor and sees the wall of the next one straight ahead. The points scatter
+# around the wall by a few centimetres: no measurement is exact. So no line goes through all of
+# them. Which one is the best?
+#
 # ## A line without a slope
 #
-# At school a line is $y = mx + b$. A wall straight ahead, at right angles to the $x$-axis, breaks this
-# form: its slope $m$ would have to be infinite.
-#
+# At school a line is $y = mx + b$, and NumPy finds $m$ and $b$ by `polyfit`. **Before you run the cell**:
+# which slope should the wall ahead have?
+
+# %%
+x, y = wall.T
+m, b = np.polyfit(x, y, 1)
+print(f"m = {m:.2f}, b = {b:.2f} m")
+
+# %% [markdown]
+# That is a line going down at about 25°, at right angles to nothing in the picture. The reason: `polyfit`
+# measures errors along $y$ only, and for an upright wall a tiny error in $x$ is a huge one in $y$. Below, one
+# artificial wall of four metres is turned step by step. Watch the slope on the way:
+
+# %%
+rng = np.random.default_rng(0)
+straight = np.column_stack([np.linspace(-2, 2, 40), rng.normal(0, 0.12, 40)])
+figures.steep_walls(straight)
+
+# %% [markdown]
 # A robot needs a form that treats all directions alike. Draw the shortest connection from the origin
 # to the line. It has a length, $r$, and it makes an angle with the $x$-axis, $\alpha$. These two numbers
 # are the line's **polar parameters**, and
 #
 # $$x \cos\alpha + y \sin\alpha = r, \qquad r \ge 0, \quad -\pi < \alpha \le \pi$$
 #
-# holds for every point $(x, y)$ on it. Read it as a dot product: $(\cos\alpha, \sin\alpha)$ is the
-# **normal**, the unit vector at right angles to the line, and all points of the line reach equally
-# far in its direction.
+# holds for every point $(x, y)$ on it.
+
+# %% demo=true
+figures.polar_line(r=1.8, alpha=math.radians(35))
+
+# %% [markdown]
+# Read the equation as a dot product: $(\cos\alpha, \sin\alpha)$ is the **normal**, the unit vector at right
+# angles to the line, and all points of the line reach equally far in its direction.
 #
 # For a point that is *not* on the line, $x \cos\alpha + y \sin\alpha - r$ is its distance from the line,
 # with a sign that tells the side. The wall $x = 2$ has $\alpha = 0$ and $r = 2$; the point $(5, 1)$ has the
 # distance $5 \cdot 1 + 1 \cdot 0 - 2 = 3$ from it.
+#
+# What do $r$ and $\alpha$ do? Each picture shows one pair of them. Change the numbers and run it again:
 
+# %% demo=true
+figures.polar_lines(
+    [(2, 0), (2, math.pi / 4), (1, math.pi / 4), (2, 3 * math.pi / 4), (2, -math.pi / 2), (1, math.pi)]
+)
+
+# %% [markdown]
+# A line is a pair of numbers for us, and gets a name of its own:
 
 # %%
 class Line(NamedTuple):
@@ -53,6 +102,14 @@ class Line(NamedTuple):
 #
 # $$S(r, \alpha) = \sum_{i=1}^{N} (r - x_i \cos\alpha - y_i \sin\alpha)^2$$
 #
+# In the picture each squared distance is the area of a square. Change $r$ and $\alpha$ by hand and try to get
+# the cost below 0.3 m². Which of the two numbers is easier to adjust?
+
+# %%
+five = np.array([[1, 2.6], [2, 2.1], [3, 1.9], [4, 0.9], [5, 0.8]])
+figures.squared_distances(five, Line(r=2.0, alpha=math.radians(80)))
+
+# %% [markdown]
 # Squares make the mathematics easy, as you will see, and they have a dark side. A point that is ten
 # times as far from the line as another adds a hundred times as much to the cost.
 
@@ -63,7 +120,8 @@ class Line(NamedTuple):
 #
 # Now find the $r$ and $\alpha$ that make $S$ least, in steps. At a minimum both slopes are zero,
 # $\partial S / \partial r = 0$ and $\partial S / \partial \alpha = 0$. (The exercise sheet writes the
-# first condition twice; the second is meant.) Start with $r$, which is easier.
+# first condition twice, at the start of the answer for $\alpha$ as well; the second is meant.) Start with
+# $r$, which is easier.
 #
 # You type formulas, and these are their symbols:
 
@@ -75,6 +133,12 @@ S_xx, S_yy, S_xy = sp.symbols("S_xx S_yy S_xy", real=True)
 # %% [markdown]
 # A sum over points needs no index here: `sum_x` is $\sum_i x_i$, and `x_c` is the mean of the $x_i$, so
 # that `sum_x` and `N * x_c` are the same. The mean point $(x_c, y_c)$ is the **centre** of the points.
+#
+# An example of how a slope of a sum is written: for $\sum_i (r - x_i)^2$ each term has the slope
+# $2 (r - x_i)$, and all together have $2 (N r - \sum_i x_i)$, in Python:
+
+# %%
+2 * (N * r - sum_x)
 
 # %% exercise="Q2.2a"
 
@@ -87,34 +151,128 @@ S_xx, S_yy, S_xy = sp.symbols("S_xx S_yy S_xy", real=True)
 # The formulas become short when we measure coordinates from the centre, $\tilde x_i = x_c - x_i$ and
 # $\tilde y_i = y_c - y_i$. By hand, for the three points $(0, 0)$, $(1, 1)$ and $(2, 5)$: the centre is
 # $(1, 2)$, so $\tilde x = (1, 0, -1)$ and $\tilde y = (2, 1, -3)$, which gives $S_{xx} = 2$,
-# $S_{yy} = 14$ and $S_{xy} = 5$.
+# $S_{yy} = 14$ and $S_{xy} = 5$. The same for the wall of the scan:
+
+# %%
+dx, dy = (wall.mean(axis=0) - wall).T
+print(f"S_xx = {dx @ dx:.2f}, S_yy = {dy @ dy:.2f}, S_xy = {dx @ dy:.2f} m²")
 
 # %% exercise="Q2.2c"
 
 # %% exercise="Q2.2d"
+
+# %% [markdown]
+# The sheet writes this slope as a *product of two sums*. That is a slip: the product stands inside one sum,
+# $2 \sum_i (\dots)(\dots)$, since the square of each point is differentiated on its own.
 
 # %% exercise="Q2.2e"
 
 # %% [markdown]
 # ## Valley or hill?
 #
-# A slope of zero is found at the bottom of a valley and at the top of a hill. The best line is a
-# valley of the cost. The *worst* line through the centre, the one at right angles to the wall, is a
-# hill, and it solves the same equation. Within half a turn there is one of each, a quarter turn apart.
+# A slope of zero is found at the bottom of a valley and at the top of a hill. Here is the cost over the angle
+# for two clouds of points, with the best $r$ for each angle. Your angle is marked, once you have one:
+
+# %%
+along = np.linspace(-1.8, 1.8, 30)
+flat = np.column_stack([2.5 + along, 1.2 + 0.3 * along + rng.normal(0, 0.15, 30)])
+steep = np.column_stack([2 + 0.3 * along + rng.normal(0, 0.15, 30), 1.8 + 0.9 * along])
+figures.cost_over_angle({"a flat wall": flat, "a steep wall": steep}, alpha_opt)
+
+# %% [markdown]
+# Within half a turn there is one valley and one hill, a quarter turn apart. The valley is the best
+# line. The hill is the *worst* line through the centre, the one at right angles to the wall, and it solves
+# the same equation.
 #
-# The tangent of $2\alpha$ does not tell them apart: $\tan$ repeats itself after $\pi$, so $\alpha$ is known
-# only up to a quarter turn. The second derivative decides. It is positive in a valley.
+# A tangent does not tell them apart: $\tan$ repeats itself after $\pi$, so from $\tan 2\alpha$ the angle
+# $\alpha$ is known only up to a quarter turn. A plain $\arctan$, which is where the sheet ends, takes
+# whichever of the two lies between -45° and 45°. For which of the two clouds is that the hill? The second
+# derivative decides: it is positive in a valley.
 
 # %% exercise="Q2.2f1"
 
 # %% exercise="Q2.2f2"
 
 # %% [markdown]
+# The same picture again, now with your angle of the minimum. It should stand in both valleys:
+
+# %% demo=true
+figures.cost_over_angle({"a flat wall": flat, "a steep wall": steep}, alpha_min)
+
+# %% [markdown]
+# What if the cost has neither valley nor hill? That happens when $S_{xx} = S_{yy}$ and $S_{xy} = 0$, for
+# instance at the four corners of a square. Then every line through the centre is as good as any other, and an honest
+# program says so instead of returning some angle.
+#
 # ## The function
 #
-# Now all of it together, as a program. From here on the names `r` and `alpha` may stand for numbers.
+# Now all of it together, as a program. (Inside a function, `r` and `alpha` are numbers of its own; the symbols above
+# are not touched.) The signature allows for weights, for the case that some points are more certain than others.
 
 # %% exercise="Q2.3"
+
+# %% [markdown]
+# Your line on the wall where `polyfit` failed:
+
+# %% demo=true
+figures.fitted_line(wall, fit_line)
+
+# %% [markdown]
+# ## How certain is it?
+#
+# Each laser point is off by some $\sigma$; for this scanner it is about 2 cm, as the picture will show. So the fitted line is off as
+# well, by how much? We do not know the errors, but we can compute their spread, the **covariance** of
+# $(r, \alpha)$: a 2 × 2 matrix with the variances on its diagonal.
+#
+# Look along the wall. Let $b_i$ be the position of point $i$ along the wall *measured from the centre*,
+# $B = \sum_i b_i^2$, and $t$ the position of the centre *measured from the foot of the normal*, both positive to
+# the left of the normal, in the direction $(-\sin\alpha, \cos\alpha)$.
+#
+# - An error across the wall at one end turns the line. The farther the points are apart, the less:
+#   the variance of $\alpha$ is $\sigma^2 / B$.
+# - The line passes through the centre, which is the mean of $N$ points and has the variance
+#   $\sigma^2 / N$ across the wall.
+# - When the line turns about the centre, its distance from the origin changes too. The lever is $t$.
+#
+# Together, to first order in $\sigma$:
+#
+# $$C = \sigma^2 \begin{pmatrix} \dfrac1N + \dfrac{t^2}{B} & \dfrac{t}{B} \\ \dfrac{t}{B} & \dfrac1B \end{pmatrix}$$
+
+# %% exercise="Q2.4"
+
+# %% [markdown]
+# The band shows where the line lies with a probability of 95 %. Mind the axes: across the wall the
+# scale is in centimetres, along it in metres. **Predict**: where is the band narrowest, and what happens to
+# it beyond the last point?
+
+# %% demo=true
+figures.uncertain_line(wall, fit_line, line_covariance, sigma=0.02)
+
+# %% [markdown]
+# Look at the points again. They do not scatter quite at random: where the wall is closest, some neighbours in a row
+# all lie about 2 cm below the line. The formula believes that all errors are independent. It cannot know better, but
+# you can.
+#
+# Can you trust a formula that you were given? Test it: give the wall new random errors, fit it again, a
+# thousand times, and look at how the results spread. The ellipse is your covariance, the dots are the fits:
+
+# %% demo=true
+figures.scattered_fits(wall, fit_line, line_covariance, sigma=0.02, rng=np.random.default_rng(1))
+
+# %% [markdown]
+# ## One bad point
+#
+# So the line is known to a fraction of a degree, if all points belong to the wall. Now somebody steps in front of it, and
+# *one* of the 54 points is wrong. **Predict** how far the line turns when that point is one metre off, and
+# when it is three metres off:
+
+# %% demo=true
+figures.one_outlier(wall, fit_line)
+
+# %% [markdown]
+# Compare with the standard deviation of $\alpha$ above: one point turns the line by many times that. The covariance
+# notices nothing, since it knows the sizes of errors only from the $\sigma$ that we told it. In a real scan, half of the points do not belong to the wall you
+# look for. The next chapter is about that.
 
 # %%
 progress()
@@ -122,8 +280,10 @@ progress()
 # %% [markdown]
 # ## Further reading
 #
-# What you have derived is known as *total least squares* or *orthogonal regression*. The same line comes
-# from the singular value decomposition of the centred points: its normal is the right singular vector of
-# the smallest singular value.
+# - What you have derived is known as *total least squares* or *orthogonal regression*. The same line comes
+#   from the singular value decomposition of the centred points: its normal is the right singular vector of
+#   the smallest singular value. That way it works in any dimension, for planes as well.
+# - The uncertainty of lines from laser points, and what a robot does with it: R. Siegwart, I. Nourbakhsh and D.
+#   Scaramuzza, *Introduction to Autonomous Mobile Robots*, chapter 4.
 #
 # Next: [RANSAC](3_ransac.ipynb), for the case that half of the points are not on the wall at all.

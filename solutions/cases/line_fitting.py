@@ -1,4 +1,4 @@
-"""Inputs and comparison for `fit_line`."""
+"""Inputs and comparisons for `fit_line` and `line_covariance`."""
 
 import math
 from typing import Any
@@ -78,6 +78,36 @@ def same_line(case: Case, expected: Any, actual: Any) -> bool:
     elif ends_of_range and abs(turn) > 2 * (math.pi - tolerance):
         turn = math.remainder(turn, 2 * math.pi)
     return abs(turn) <= tolerance and abs(r - expected[0]) <= tolerance * reach
+
+
+def line_covariance_cases(rng: np.random.Generator) -> list[Case]:
+    """Return walls with the standard deviation of their points."""
+    corner = np.array([[2.0, 1.0], [2.0, 2.0], [2.0, 3.0]])
+    cases: list[Case] = [
+        {"name": "three points of x = 2", "args": [corner, 0.1], "public": True},
+    ]
+    for name, along, sigma in (
+        ("a wall to the left of its normal", 4.0, 0.02),
+        ("a wall to the right of its normal", -4.0, 0.02),
+        ("a wall to the left of its normal", 2.0, 0.05),
+    ):
+        alpha = rng.uniform(-3.0, 3.0)
+        wall = _wall(rng, rng.uniform(2.0, 5.0), alpha, noise=sigma)
+        wall += along * np.array([-math.sin(alpha), math.cos(alpha)])
+        cases.append({"name": name, "args": [wall, sigma]})
+    return cases
+
+
+def same_covariance(case: Case, expected: Any, actual: Any) -> bool:
+    """Tell whether two (2, 2) covariances agree to 1 % of the standard deviations."""
+    try:
+        values = np.asarray(actual, dtype=float)
+    except (TypeError, ValueError, OverflowError):
+        return False
+    if values.shape != (2, 2) or not np.isfinite(values).all():
+        return False
+    deviations = np.sqrt(np.abs(np.diag(expected)))
+    return bool((np.abs(values - expected) <= 0.01 * np.outer(deviations, deviations)).all())
 
 
 def _wall(

@@ -1,10 +1,10 @@
-"""What students write for `fit_line`, and what goes wrong."""
+"""What students write for `fit_line` and `line_covariance`, and what goes wrong."""
 
 import math
 
 import numpy as np
 
-from solutions.line_fitting import Line
+from solutions.line_fitting import Line, fit_line
 
 
 def _centred_sums(points, weights):
@@ -77,3 +77,45 @@ def subtracts_large_squares(points, weights=None):
     S_xy = (weights * x * y).sum() - N * x_c * y_c
     S_yy = (weights * y * y).sum() - N * y_c * y_c
     return _line_through((x_c, y_c), 0.5 * math.atan2(-2 * S_xy, S_yy - S_xx))
+
+
+def _line_derivatives(points):
+    """How r and alpha change with each point: the lever, d alpha, and 1/N of the normal."""
+    alpha = fit_line(points).alpha
+    normal = np.array([math.cos(alpha), math.sin(alpha)])
+    along = np.array([-math.sin(alpha), math.cos(alpha)])
+    center = points.mean(axis=0)
+    a, b = (points - center) @ normal, (points - center) @ along
+    d_alpha = -(np.outer(b, normal) + np.outer(a, along)) / np.sum(b * b - a * a)
+    return along @ center, d_alpha, np.tile(normal / len(points), (len(points), 1))
+
+
+def _covariance(d_r, d_alpha, variance):
+    jacobian = np.stack([d_r.ravel(), d_alpha.ravel()])
+    return variance * jacobian @ jacobian.T
+
+
+def covariance_with_the_wrong_sign(points, sigma, weights=None):
+    """Lets the normal turn the other way: r and alpha are correlated with the wrong sign."""
+    lever, d_alpha, d_center = _line_derivatives(points)
+    return _covariance(d_center - lever * d_alpha, d_alpha, sigma**2)
+
+
+def covariance_without_the_lever(points, sigma, weights=None):
+    """Forgets that turning the normal also changes r."""
+    _, d_alpha, d_center = _line_derivatives(points)
+    return _covariance(d_center, d_alpha, sigma**2)
+
+
+def covariance_of_sigma(points, sigma, weights=None):
+    """Multiplies by sigma instead of its square."""
+    lever, d_alpha, d_center = _line_derivatives(points)
+    return _covariance(d_center + lever * d_alpha, d_alpha, sigma)
+
+
+def covariance_of_raw_positions(points, sigma, weights=None):
+    """Takes the spread along the wall about the origin's foot, not about the centre."""
+    lever, d_alpha, d_center = _line_derivatives(points)
+    spread = 1 / np.sum(d_alpha**2)
+    d_alpha = d_alpha * spread / (spread + len(points) * lever**2)
+    return _covariance(d_center + lever * d_alpha, d_alpha, sigma**2)

@@ -1,0 +1,347 @@
+"""Starts a zygote under one kind of isolation and talks to it; the trusted side of `zygote`."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import signal
+import socket
+import subprocess
+import sys
+import tempfile
+import time
+from contextlib import suppress
+from itertools import count
+from pathlib import Path
+from typing import Any
+
+import autograder
+from autograder.course import Settings
+from autograder.errors import AutograderError
+from autograder.sandbox import bubblewrap, landlock, seccomp
+from autograder.sandbox.channel import Channel
+
+_PACKAGE = Path(autograder.__file__).parent
+_WARM_SECONDS = 120.0
+_ANSWER_SECONDS = 15.0
+_FIRST_IDENTITY, _IDENTITIES = 61200, 4000  # user ids that Linux distributions leave alone
+_slots = count()
+
+
+class HostError(AutograderError):
+    """A sandbox could not be started or does not answer; the sentence says why."""
+
+
+class Host:
+    """One zygote in its isolation. Start it on a thread that lives as long as it does.
+
+    ``with_namespaces`` asks for bubblewrap; without, only Landlock, seccomp and limits hold student
+    code.
+    """
+
+    def __init__(self, root: Path, settings: Settings, with_namespaces: bool) -> None:
+        self._settings = settings
+        self._number = 0
+        self._ready = False
+        self.is_stopped = False
+        self._folder = Path(tempfile.mkdtemp(prefix="autograder-"))
+        # A slot has a user id of its own, so that one slot's processes do not count in another.
+        slot = (os.getpid() * 16 + next(_slots)) % _IDENTITIES
+        self._identity = _FIRST_IDENTITY + slot if os.geteuid() == 0 else 0
+        stage(root, self._folder)
+        compile_libraries()
+        try:
+            start = self._start_inside if with_namespaces else self._start_beside
+            self._process, self._control = start(root)
+        except BaseException:
+            shutil.rmtree(self._folder, ignore_errors=True)
+            raise
+
+    def wait_until_ready(self) -> None:
+        """Wait until everything is imported.
+
+        Raises:
+            HostError: if it does not start.
+        """
+        if self._ready:
+            return
+        message = self._hear(time.monotonic() + _WARM_SECONDS)
+        if message != {"ready": True}:
+            said = self._said()
+            self.stop()
+            raise HostError(f"The sandbox did not start: {said}")
+        self._ready = True
+
+    def open(self, limits: dict[str, Any], seed: int) -> Channel:
+        """Fork a child with an empty scratch folder and return the channel to it.
+
+        Raises:
+            HostError: if the zygote does not answer; then `stop` it.
+        """
+        self.wait_until_ready()
+        self._number += 1
+        ours, theirs = socket.socketpair()
+        with theirs:
+            message = {"start": self._number, "seed": seed, **limits}
+            try:
+                socket.send_fds(self._control, [json.dumps(message).encode()], [theirs.fileno()])
+            except OSError:
+                ours.close()
+                raise HostError("The sandbox has ended.") from None
+        try:
+            self._expect({"started": self._number})
+        except HostError:
+            ours.close()
+            raise
+        cap = int(self._settings.output_mb * 2**20)
+        return Channel(ours, max_json=cap, max_arrays=cap)
+
+    def close(self) -> None:
+        """End the child and everything that it started.
+
+        Raises:
+            HostError: if the zygote does not answer; then `stop` it.
+        """
+        try:
+            self._control.send(json.dumps({"end": self._number}).encode())
+        except OSError:
+            raise HostError("The sandbox has ended.") from None
+        self._expect({"ended": self._number})
+
+    def why_gone(self, seconds: float) -> str | None:
+        """Why the child ended by itself, if the zygote says so within some time."""
+        message = self._hear(time.monotonic() + seconds)
+        if message is not None and message.get("gone") == self._number:
+            return str(message["why"])
+        return None
+
+    @property
+    def control(self) -> socket.socket:
+        """The control socket; something to read there means that the child has ended."""
+        return self._control
+
+    def stop(self) -> None:
+        """End the zygote and everything in it."""
+        self.is_stopped = True
+        with suppress(OSError):
+            self._control.shutdown(socket.SHUT_RDWR)
+        try:
+            self._process.wait(2.0)
+        except subprocess.TimeoutExpired:
+            with suppress(ProcessLookupError, PermissionError):
+                os.killpg(self._process.pid, signal.SIGKILL)
+            self._process.wait()
+        self._control.close()
+        shutil.rmtree(self._folder, ignore_errors=True)
+
+    def _expect(self, answer: dict[str, Any]) -> None:
+        deadline = time.monotonic() + _ANSWER_SECONDS
+        while True:
+            message = self._hear(deadline)
+            if message is None:
+                raise HostError("The sandbox does not answer.")
+            if message == answer:
+                return
+
+    def _hear(self, deadline: float) -> dict[str, Any] | None:
+        self._control.settimeout(max(0.0, deadline - time.monotonic()) or 0.001)
+        try:
+            data = self._control.recv(2**16)
+        except OSError:
+            return None
+        return dict(json.loads(data)) if data else None
+
+    def _said(self) -> str:
+        """The last line that the process wrote about its end."""
+        text = (
+            (self._folder / "errors").read_text(errors="replace") if self._folder.exists() else ""
+        )
+        lines = [line for line in text.splitlines() if line.strip()]
+        return lines[-1][:300] if lines else "it gave no reason."
+
+    def _start_inside(self, root: Path) -> tuple[subprocess.Popen[bytes], socket.socket]:
+        program = bubblewrap.find_bubblewrap()
+        if program is None:
+            raise HostError("bubblewrap is not installed.")
+        fonts = font_folder()
+        command = bubblewrap.command(
+            program,
+            root=root,
+            package=_PACKAGE,
+            notebooks=self._folder / "notebooks",
+            fonts=fonts,
+            size_mb=self._settings.files_mb,
+            as_root=bool(self._identity),
+        )
+        set_up = {
+            "scratch": str(bubblewrap.SCRATCH),
+            "readable": ["/usr", "/lib", "/lib64", "/nix/store", "/etc", str(bubblewrap.COURSE)]
+            + [str(folder) for folder in bubblewrap.interpreter_folders()],
+            "notebooks": str(bubblewrap.COURSE / "notebooks"),
+            "alone": True,
+            "keep_reading": False,
+        }
+        environment = self._environment(bubblewrap.COURSE, bubblewrap.SCRATCH)
+        if fonts is not None:
+            environment["AUTOGRADER_FONT_LIST"] = str(bubblewrap.FONTS)
+        for name, value in environment.items():
+            command += ["--setenv", name, value]
+        return self._start([*command, "--"], set_up, environment={})
+
+    def _start_beside(self, root: Path) -> tuple[subprocess.Popen[bytes], socket.socket]:
+        if landlock.version() == 0:
+            raise HostError("This kernel has no Landlock.")
+        if seccomp.build_filter() is None:
+            raise HostError("There is no system call filter for this processor.")
+        course, scratch = self._folder / "course", self._folder / "scratch"
+        course.mkdir()
+        scratch.mkdir()
+        (course / "autograder").symlink_to(_PACKAGE)
+        (self._folder / "notebooks").rename(course / "notebooks")
+        if (root / "data").is_dir():
+            (course / "data").symlink_to(root / "data")
+        if (root / "pyproject.toml").is_file():
+            shutil.copy(root / "pyproject.toml", course)
+        if self._identity:
+            os.chmod(self._folder, 0o711)
+            os.chown(scratch, self._identity, self._identity)
+        needed = [*bubblewrap.interpreter_folders(), _PACKAGE, (root / "data").resolve()]
+        system = ["/usr", "/lib", "/lib64", "/nix/store", "/etc/ld.so.cache", "/etc/localtime"]
+        set_up = {
+            "scratch": str(scratch),
+            "readable": [
+                *system,
+                str(course),
+                *(str(folder) for folder in needed),
+            ],
+            "notebooks": str(course / "notebooks"),
+            "alone": False,
+            # An interpreter in root's home folder is closed to any other user.
+            "keep_reading": bool(self._identity) and any(map(_is_closed, needed)),
+        }
+        environment = self._environment(course, scratch)
+        fonts = font_folder()
+        if fonts is not None:
+            environment["AUTOGRADER_FONT_LIST"] = str(fonts)
+        return self._start([], set_up, environment)
+
+    def _environment(self, course: Path, scratch: Path) -> dict[str, str]:
+        work = scratch / "work"
+        return {
+            "PATH": "/usr/bin:/bin",
+            "HOME": str(work),
+            "USER": "student",
+            "LANG": "C.UTF-8",
+            "TMPDIR": str(work / "tmp"),
+            "MPLBACKEND": "agg",
+            "MPLCONFIGDIR": str(scratch / "matplotlib"),
+            "IPYTHONDIR": str(scratch / "ipython"),
+            "PYTHONPATH": str(course),
+            "PYTHONDONTWRITEBYTECODE": "1",
+            "PYTHONHASHSEED": "0",
+            "PYTHONWARNINGS": "ignore",
+            "OMP_NUM_THREADS": "1",
+            "OPENBLAS_NUM_THREADS": "1",
+            "MALLOC_ARENA_MAX": "2",
+            "AUTOGRADER_COURSE": str(course),
+            "AUTOGRADER_RESPONSES": str(work / "responses"),
+        }
+
+    def _start(
+        self, prefix: list[str], set_up: dict[str, Any], environment: dict[str, str]
+    ) -> tuple[subprocess.Popen[bytes], socket.socket]:
+        ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
+        with theirs, open(self._folder / "errors", "wb") as errors:
+            process = subprocess.Popen(
+                [*prefix, sys.executable, "-m", "autograder.sandbox.zygote", str(theirs.fileno())],
+                stdin=subprocess.DEVNULL,
+                stdout=subprocess.DEVNULL,
+                stderr=errors,
+                env=environment,
+                cwd="/",
+                pass_fds=[theirs.fileno()],
+                start_new_session=True,
+            )
+        message = {
+            **set_up,
+            "identity": self._identity,
+            "use_landlock": landlock.version() > 0,
+            "use_seccomp": seccomp.build_filter() is not None,
+        }
+        with suppress(OSError):  # if it has ended already, `wait_until_ready` says so
+            ours.send(json.dumps({"set up": message}).encode())
+        return process, ours
+
+
+def _is_closed(folder: Path) -> bool:
+    """Whether others may not enter a folder or one above it."""
+    return any(not parent.stat().st_mode & 1 for parent in (folder, *folder.parents))
+
+
+def stage(root: Path, folder: Path) -> None:
+    """Copy what a notebook's working folder shows: the course's notebooks folder without the
+    notebooks themselves and without anybody's responses.
+    """
+    source = root / "notebooks"
+    target = folder / "notebooks"
+    if not source.is_dir():
+        target.mkdir()
+        return
+    ignored = shutil.ignore_patterns("responses", "*.ipynb", "*.zip", "__pycache__", ".*")
+    shutil.copytree(source, target, ignore=ignored)
+    for path in (target, *target.rglob("*")):
+        path.chmod(0o755 if path.is_dir() else 0o644)
+
+
+def font_folder() -> Path | None:
+    """Where matplotlib keeps its list of fonts on this machine, if it has one."""
+    cache = os.environ.get("XDG_CACHE_HOME") or "~/.cache"
+    given = os.environ.get("MPLCONFIGDIR")
+    folder = Path(given) if given else Path(cache).expanduser() / "matplotlib"
+    return folder if any(folder.glob("fontlist-*.json")) else None
+
+
+def compile_libraries() -> None:
+    """Make Python keep compiled modules and matplotlib its fonts, if they do not yet.
+
+    The sandbox writes nothing, so without this every run would compile sympy anew.
+    """
+    import importlib.util
+
+    found = importlib.util.find_spec("sympy")
+    if found is None or found.origin is None:
+        return
+    compiled = importlib.util.cache_from_source(found.origin)
+    if Path(compiled).exists() and font_folder() is not None:
+        return
+    environment = {k: v for k, v in os.environ.items() if k != "PYTHONDONTWRITEBYTECODE"}
+    with suppress(subprocess.TimeoutExpired, OSError):
+        subprocess.run(
+            [sys.executable, "-m", "autograder.sandbox.warm"],
+            env=environment,
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.DEVNULL,
+            timeout=_WARM_SECONDS,
+            check=False,
+        )
+
+
+def limits(settings: Settings, processes: int | None = None) -> dict[str, Any]:
+    """What one notebook may use, for the kernel and for the zygote's own look."""
+    processes = processes or settings.processes
+    return {
+        "limits": {
+            "memory_mb": settings.memory_mb,
+            "cpu_seconds": int(settings.notebook_seconds) + 10,
+            "processes": processes + 1,
+            "file_mb": settings.files_mb,
+        },
+        "usage": {
+            "memory_mb": settings.memory_mb,
+            "processes": processes,
+            "files": settings.files,
+            "files_mb": settings.files_mb,
+        },
+    }

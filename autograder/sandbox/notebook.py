@@ -1,0 +1,203 @@
+"""Runs a notebook's cells as Jupyter does, shows nobody anything, and evaluates what they left.
+
+This runs where the student's code runs: nothing in it is trusted once a cell has run.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import os
+import signal
+import sys
+import time
+from collections.abc import Callable
+from contextlib import suppress
+from pathlib import Path
+from typing import Any
+
+from autograder.sandbox.evaluate import describe, evaluate
+
+MAX_SAVED = 2**20
+_DESCRIBE_SECONDS = 2.0
+_CAN_INTERRUPT = hasattr(signal, "setitimer")
+
+
+class CellTimeout(KeyboardInterrupt):
+    """A cell took longer than it may; like Ctrl-C, `except Exception` does not stop it."""
+
+
+class Notebook:
+    """One notebook's namespace in an IPython shell; make only one in a process."""
+
+    def __init__(self) -> None:
+        import matplotlib
+
+        matplotlib.use("agg")  # figures are made, never drawn
+        self._shell = _quiet_shell()
+        self._names_at_start = frozenset(self._shell.user_ns)
+
+    def run(
+        self,
+        cells: list[str],
+        names: list[str],
+        *,
+        skip: dict[str, str] | None = None,
+        cell_seconds: float = math.inf,
+        seconds: float = math.inf,
+        begin: Callable[[int], None] = lambda index: None,
+    ) -> dict[str, Any]:
+        """Run the cells one after the other, like "run all" that does not stop at an error.
+
+        ``skip`` gives the error to report for cells (by index, as text) that are not to be run;
+        ``begin`` is called before each cell. A cell that takes too long is interrupted, and the
+        cells after ``seconds`` are not run; both are reported as ``timeout``.
+        """
+        end = time.monotonic() + seconds
+        errors: list[str | None] = []
+        for index, cell in enumerate(cells):
+            reason = (skip or {}).get(str(index))
+            left = end - time.monotonic()
+            if reason is None and left <= 0:
+                reason = "timeout"
+            if reason is None:
+                begin(index)
+                reason = self._run_cell(cell, min(cell_seconds, left))
+            errors.append(reason)
+        namespace = self._shell.user_ns
+        return {
+            "errors": errors,
+            "responses": _recorded_responses(),
+            "understood": {
+                name: _described(namespace[name]) for name in names if name in namespace
+            },
+        }
+
+    def evaluate(self, name: str, probe: dict[str, Any]) -> dict[str, Any]:
+        """Turn the response held by a name into plain data, as `evaluate` says."""
+        if name not in self._shell.user_ns:
+            return {"state": "unusable", "reason": "missing"}
+        return evaluate(self._shell.user_ns[name], probe)
+
+    def forget(self) -> None:
+        """Remove what cells have defined."""
+        for name in set(self._shell.user_ns) - self._names_at_start:
+            del self._shell.user_ns[name]
+
+    def _run_cell(self, cell: str, seconds: float) -> str | None:
+        """Run one cell; the class of its error, or None."""
+        try:
+            with _Interrupted(seconds):
+                result = self._shell.run_cell(cell, store_history=False)
+            error = result.error_before_exec or result.error_in_exec
+        except BaseException as escaped:
+            error = escaped
+        _close_figures()
+        if error is None:
+            return None
+        return "timeout" if isinstance(error, CellTimeout) else type(error).__name__
+
+
+class _Interrupted:
+    """Raises `CellTimeout` in the code inside after some seconds, unless that code prevents it."""
+
+    def __init__(self, seconds: float) -> None:
+        self._seconds = seconds
+
+    def __enter__(self) -> None:
+        if _CAN_INTERRUPT and self._seconds < math.inf:
+            signal.signal(signal.SIGALRM, _interrupt)
+            signal.setitimer(signal.ITIMER_REAL, max(self._seconds, 0.001))
+
+    def __exit__(self, *exception: object) -> None:
+        if _CAN_INTERRUPT and self._seconds < math.inf:
+            signal.setitimer(signal.ITIMER_REAL, 0)
+
+
+def _interrupt(number: int, frame: Any) -> None:
+    raise CellTimeout
+
+
+def _described(response: Any) -> str:
+    """What a response was understood as; a text that takes for ever is cut short."""
+    try:
+        with _Interrupted(_DESCRIBE_SECONDS):
+            return describe(response)
+    except BaseException:
+        return f"a {type(response).__name__}"
+
+
+def _close_figures() -> None:
+    """Forget the figures of a cell, as Jupyter does after it has shown them."""
+    helpers = sys.modules.get("matplotlib._pylab_helpers")
+    if helpers is not None:
+        with suppress(Exception):
+            helpers.Gcf.destroy_all()
+
+
+def _recorded_responses() -> dict[str, Any]:
+    """What ``ask(...).respond(...)`` in the cells wrote."""
+    responses: dict[str, Any] = {}
+    for path in sorted(Path(os.environ["AUTOGRADER_RESPONSES"]).glob("*.json"))[:100]:
+        try:
+            if path.stat().st_size <= MAX_SAVED:
+                entries = json.loads(path.read_text(encoding="utf-8"))["responses"]
+                responses |= {id: entry["response"] for id, entry in entries.items()}
+        except (ValueError, KeyError, TypeError, OSError, AttributeError, RecursionError):
+            continue
+    return responses
+
+
+def _quiet_shell() -> Any:
+    """IPython as Jupyter's kernel has it, magics and all, without output, history or programs."""
+    from IPython.core.displayhook import DisplayHook
+    from IPython.core.displaypub import DisplayPublisher
+    from IPython.core.interactiveshell import InteractiveShell
+    from IPython.core.magics.script import ScriptMagics
+    from IPython.utils.text import SList
+    from traitlets.config import Config
+
+    class NoResults(DisplayHook):
+        def __call__(self, result: Any = None) -> None:
+            """Drop the value of a cell's last line."""
+
+    class NoOutputs(DisplayPublisher):
+        def publish(self, *args: Any, **kwargs: Any) -> None:
+            """Drop what display() shows."""
+
+    class QuietShell(InteractiveShell):
+        def showtraceback(self, *args: Any, **kwargs: Any) -> None:
+            """Formatting a traceback costs more than most cells."""
+
+        showsyntaxerror = showtraceback
+        showindentationerror = showtraceback
+
+        def system(self, cmd: str) -> None:
+            """``!command`` and ``%pip`` do nothing here, and the cell goes on."""
+            self.user_ns["_exit_code"] = 127
+
+        system_piped = system_raw = system
+
+        def getoutput(self, cmd: str, split: bool = True, depth: int = 0) -> Any:
+            """``x = !command`` gives nothing."""
+            return SList() if split else ""
+
+        def enable_gui(self, gui: Any = None) -> None:
+            """There is no window to show."""
+
+        def enable_matplotlib(self, gui: Any = None) -> tuple[str, str]:
+            """``%matplotlib inline`` would draw every figure."""
+            return "inline", "agg"
+
+    config = Config()
+    config.HistoryManager.enabled = False
+    shell = QuietShell.instance(
+        config=config, displayhook_class=NoResults, display_pub_class=NoOutputs
+    )
+
+    def do_nothing(self: Any, line: str = "", cell: str = "") -> None:
+        """``%%bash`` and its like do nothing here."""
+
+    ScriptMagics.shebang = do_nothing
+    shell.register_magic_function(lambda line, cell: None, "cell", "script")
+    return shell

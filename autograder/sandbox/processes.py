@@ -1,0 +1,136 @@
+"""The processes that student code leaves behind, and how much they use together."""
+
+from __future__ import annotations
+
+import os
+import resource
+import signal
+import time
+from contextlib import suppress
+from pathlib import Path
+
+_PAGE = resource.getpagesize()
+_SWEEP_SECONDS = 5.0
+
+
+def end_all_others(everything: bool) -> None:
+    """End all processes that came from this one.
+
+    With ``everything``, whatever this process may signal: right where it is alone in a list of
+    processes or has a user id that nobody else has. Otherwise its descendants, which it adopts when
+    their parents end.
+    """
+    deadline = time.monotonic() + _SWEEP_SECONDS
+    while time.monotonic() < deadline:
+        if everything:
+            with suppress(ProcessLookupError, PermissionError):
+                os.kill(-1, signal.SIGKILL)
+        else:
+            for process in descendants(os.getpid()):
+                with suppress(ProcessLookupError, PermissionError):
+                    os.kill(process, signal.SIGKILL)
+        if not _collect():
+            return
+    raise OSError("some processes cannot be ended")
+
+
+def _collect() -> bool:
+    """Wait for an ended child; whether there is any child left."""
+    try:
+        os.waitpid(-1, 0)
+        while os.waitpid(-1, os.WNOHANG)[0]:
+            pass
+    except ChildProcessError:
+        return False
+    return True
+
+
+def descendants(ancestor: int) -> list[int]:
+    """Every process below one, by the parent that each names."""
+    children: dict[int, list[int]] = {}
+    for process in all_processes():
+        with suppress(OSError, ValueError, IndexError):
+            fields = Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()
+            children.setdefault(int(fields[1]), []).append(process)
+    found: list[int] = []
+    todo = [ancestor]
+    while todo:
+        below = children.pop(todo.pop(), [])
+        found += below
+        todo += below
+    return found
+
+
+def all_processes() -> list[int]:
+    """The processes that can be seen from here."""
+    return [int(name) for name in os.listdir("/proc") if name.isdigit()]
+
+
+class Usage:
+    """What the processes of one notebook use together, seen from the process that forked them."""
+
+    def __init__(self, work: Path, alone: bool) -> None:
+        self._work = work
+        self._own = os.getpid()
+        self._alone = alone
+        self._at_start = _resident(self._own)
+
+    def begin(self, limits: dict[str, int]) -> None:
+        """Take new limits: ``memory_mb``, ``processes``, ``files`` and ``files_mb``."""
+        self._limits = limits
+        self._files_at_start, _ = self._files()
+
+    def excess(self) -> str:
+        """Why the notebook must be ended, or an empty text."""
+        processes = self._processes()
+        if len(processes) > self._limits["processes"] + 2:
+            return f"it started more than {self._limits['processes']} processes"
+        memory_mb = self._limits["memory_mb"]
+        # What a fork shares with its parent is counted twice here, so look twice.
+        own = sum(max(0, _resident(process) - self._at_start) for process in processes)
+        if own > memory_mb * 2**20:
+            exact = sum(_proportional(process) for process in processes)
+            if exact > memory_mb * 2**20 + self._at_start:
+                return f"it used more than {memory_mb} MB of memory"
+        files, size = self._files()
+        if files - self._files_at_start > self._limits["files"]:
+            return f"it made more than {self._limits['files']} files"
+        if size > self._limits["files_mb"] * 2**20:
+            return f"it wrote more than {self._limits['files_mb']} MB"
+        return ""
+
+    def _processes(self) -> list[int]:
+        if self._alone:
+            return [process for process in all_processes() if process != self._own]
+        return descendants(self._own)
+
+    def _files(self) -> tuple[int, int]:
+        """How many files there are, and their bytes where the file system does not limit them."""
+        if self._alone:
+            state = os.statvfs(self._work)
+            return state.f_files - state.f_ffree, 0
+        count = size = 0
+        for folder, folders, names in os.walk(self._work):
+            count += len(names) + len(folders)
+            for name in names:
+                with suppress(OSError):
+                    size += os.lstat(os.path.join(folder, name)).st_blocks * 512
+            if count > self._limits["files"]:
+                break
+        return count, size
+
+
+def _resident(process: int) -> int:
+    try:
+        return int(Path(f"/proc/{process}/statm").read_text().split()[1]) * _PAGE
+    except (OSError, IndexError, ValueError):
+        return 0
+
+
+def _proportional(process: int) -> int:
+    """Memory with shared pages divided among those who share them."""
+    try:
+        lines = Path(f"/proc/{process}/smaps_rollup").read_text().splitlines()
+        return next(int(line.split()[1]) * 1024 for line in lines if line.startswith("Pss:"))
+    except (OSError, StopIteration, ValueError, IndexError):
+        return _resident(process)

@@ -1,0 +1,218 @@
+"""One notebook of one submission in a sandbox, asked from the trusted side."""
+
+from __future__ import annotations
+
+import re
+import secrets
+import select
+import signal
+import time
+from collections.abc import Callable
+from typing import Any
+
+from autograder.course import Settings
+from autograder.sandbox import wire
+from autograder.sandbox.channel import Channel, Late
+from autograder.sandbox.host import Host, HostError, limits
+from autograder.sandbox.replies import clean_evaluation, clean_report
+from autograder.sandbox.stopped import Stopped
+
+GRACE = 1.0  # seconds between the child's own limit and the one kept here
+MAX_STRAY = 1000  # messages that answer nothing before the channel counts as broken
+MAX_RESTARTS = 3
+
+
+class Session:
+    """Runs one notebook and evaluates what it left.
+
+    Every answer must carry the nonce of its question and come before a deadline that is kept here.
+    When a cell hangs or crashes beyond what the child itself can catch, the notebook is run again
+    without that cell; when a response does, the next question still works.
+    """
+
+    def __init__(self, take_host: Callable[[], Host], settings: Settings, seed: int) -> None:
+        self._take_host = take_host
+        self._settings = settings
+        self._seed = seed
+        self._host: Host | None = None
+        self._channel: Channel | None = None
+        self._cells: list[str] = []
+        self._stopped_cells: dict[int, Stopped] = {}
+        self._restarts_left = MAX_RESTARTS
+        self._in_cell: int | None = None
+
+    def __enter__(self) -> Session:
+        return self
+
+    def __exit__(self, *exception: object) -> None:
+        self._close()
+
+    def run(self, cells: list[str], names: list[str]) -> dict[str, Any]:
+        """Run the cells; ``names`` are the variables whose understood value is wanted.
+
+        Returns ``errors`` (the class of its exception, ``timeout``, ``killed`` or None, a cell),
+        ``responses`` (what ``ask(...).respond(...)`` recorded, by question) and ``understood`` (a
+        short text a name).
+
+        Raises:
+            Stopped: if no run of the notebook came to its end.
+        """
+        self._cells, self._stopped_cells = cells, {}
+        return self._run(names)
+
+    def evaluate(self, name: str, probe: dict[str, Any]) -> dict[str, Any]:
+        """Evaluate the response held by ``name``, as `autograder.sandbox.evaluate` says.
+
+        Raises:
+            Stopped: if it takes too long, if its process dies, or if the cell that should define it
+                was stopped.
+        """
+        if self._channel is None:
+            self._restart()
+            self._run([])
+        seconds = self._settings.question_seconds
+        message = {"do": "evaluate", "name": name, "probe": probe, "seconds": seconds}
+        answer = self._ask(message, time.monotonic() + seconds + GRACE)
+        if "reply" not in answer:
+            raise _stop_by(answer.get("ended_by"))
+        reply = clean_evaluation(answer["reply"])
+        if reply.get("reason") == "missing":
+            for index, stopped in self._stopped_cells.items():
+                if re.search(rf"\b{re.escape(name)}\b", self._cells[index]):
+                    raise Stopped(stopped.status, stopped.why)
+        return reply
+
+    def _run(self, names: list[str]) -> dict[str, Any]:
+        settings = self._settings
+        end = time.monotonic() + settings.notebook_seconds
+        while True:
+            if self._channel is None:
+                self._open()
+            message = {
+                "do": "run",
+                "cells": self._cells,
+                "names": names,
+                "skip": {str(index): stop.status for index, stop in self._stopped_cells.items()},
+                "cell_seconds": settings.cell_seconds,
+                "seconds": end - time.monotonic(),
+            }
+            self._in_cell = None
+            try:
+                answer = self._ask(message, end + GRACE)
+            except Stopped as stopped:
+                index = self._in_cell
+                if index is None or index in self._stopped_cells or time.monotonic() >= end:
+                    raise
+                self._stopped_cells[index] = stopped
+                self._restart()
+                continue
+            report = clean_report(answer.get("reply"), len(self._cells))
+            for index, error in enumerate(report["errors"]):
+                if error == "timeout":
+                    self._stopped_cells.setdefault(index, Stopped("timeout"))
+            return report
+
+    def _ask(self, message: dict[str, Any], deadline: float) -> dict[str, Any]:
+        """Send a question and wait for the message with its nonce.
+
+        Raises:
+            Stopped: after which the channel is closed.
+        """
+        assert self._channel is not None
+        nonce = secrets.token_hex(16)
+        cell_deadline = deadline
+        try:
+            self._channel.send({**message, "nonce": nonce}, deadline)
+            for _ in range(MAX_STRAY + len(self._cells)):
+                self._wait(min(deadline, cell_deadline))
+                answer = self._channel.receive(min(deadline, cell_deadline))
+                if not isinstance(answer, dict) or answer.get("nonce") != nonce:
+                    continue
+                if "cell" not in answer:
+                    return answer
+                self._note_cell(answer["cell"])
+                cell_deadline = time.monotonic() + self._settings.cell_seconds + GRACE
+            raise wire.WireError("too many messages that answer nothing")
+        except Late:
+            self._close()
+            raise Stopped("timeout") from None
+        except (EOFError, OSError, wire.WireError) as error:
+            why = self._why_gone(error)
+            self._close()
+            raise Stopped("killed", why) from None
+
+    def _wait(self, deadline: float) -> None:
+        """Wait for something to read from the child, or for news that it has gone.
+
+        Raises:
+            Late: at the deadline.
+        """
+        assert self._channel is not None
+        assert self._host is not None
+        poll = select.poll()
+        poll.register(self._channel, select.POLLIN)
+        poll.register(self._host.control, select.POLLIN)
+        left = deadline - time.monotonic()
+        ready = poll.poll(max(0.0, left) * 1000)
+        if not ready:
+            raise Late
+        if all(descriptor != self._channel.fileno() for descriptor, _ in ready):
+            # What the child started may hold the channel open; the child itself has gone.
+            raise EOFError
+
+    def _note_cell(self, index: Any) -> None:
+        if isinstance(index, int) and 0 <= index < len(self._cells):
+            self._in_cell = index
+
+    def _why_gone(self, error: Exception) -> str:
+        if isinstance(error, wire.WireError):
+            return "it sent data that is no answer"
+        try:
+            return (self._host.why_gone(1.0) if self._host else None) or ""
+        except OSError:
+            return ""
+
+    def _restart(self) -> None:
+        """Begin anew after a failure, a limited number of times.
+
+        Raises:
+            Stopped: if it was tried too often.
+        """
+        if self._restarts_left == 0:
+            raise Stopped("killed", "the notebook had to be stopped too often")
+        self._restarts_left -= 1
+        self._open()
+
+    def _open(self) -> None:
+        for last_try in (False, True):
+            self._host = self._take_host()
+            try:
+                self._channel = self._host.open(limits(self._settings), self._seed)
+                return
+            except HostError:
+                self._host.stop()  # the next one is new
+                if last_try:
+                    raise
+
+    def _close(self) -> None:
+        if self._channel is None or self._host is None:
+            return
+        self._channel.close()
+        self._channel = None
+        try:
+            self._host.close()
+        except HostError:
+            self._host.stop()
+
+
+def _stop_by(number: Any) -> Stopped:
+    """What it means that the fork for one question ended without an answer."""
+    if number == signal.SIGALRM:
+        return Stopped("timeout")
+    if number == signal.SIGXCPU:
+        return Stopped("timeout", "it used too much processor time")
+    if number in (signal.SIGSEGV, signal.SIGBUS, signal.SIGFPE, signal.SIGILL, signal.SIGABRT):
+        return Stopped("killed", f"it crashed ({signal.Signals(number).name})")
+    if number == signal.SIGKILL:
+        return Stopped("killed", "it was ended by the system, as happens when memory runs out")
+    return Stopped("killed", "it ended its own process")

@@ -1,0 +1,225 @@
+"""Which kinds of isolation work here: each is tried with real attempts to get out."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+import time
+from dataclasses import dataclass, field
+from pathlib import Path
+from threading import Lock
+from typing import Any
+
+from autograder.course import Course
+from autograder.sandbox import bubblewrap, landlock, seccomp
+from autograder.sandbox.channel import Late
+from autograder.sandbox.host import Host, HostError, limits
+from autograder.sandbox.launcher import SandboxError
+from autograder.sandbox.wire import WireError
+
+_TRIAL_PROCESSES = 6
+_TRIAL_SECONDS = 20.0
+_CELL = """
+import os, signal, socket, time
+def attempt(action):
+    try:
+        return action()
+    except (Exception, SystemExit) as error:
+        return type(error).__name__
+def bomb():
+    children = []
+    try:
+        while len(children) < {processes} + 20:
+            child = os.fork()
+            if child == 0:
+                time.sleep(60)
+                os._exit(0)
+            children.append(child)
+    except OSError:
+        pass
+    return len(children) <= {processes} + 2
+def connect():
+    with socket.socket() as line:
+        line.settimeout(1)
+        line.connect(("127.0.0.1", {port}))
+    return True
+read_a_file = attempt(lambda: open({canary!r}).read())
+write_a_file = attempt(lambda: open({canary!r}, "w").write("x"))
+open_a_connection = attempt(connect)
+signal_the_grader = attempt(lambda: os.kill({grader}, 0))
+start_a_program = attempt(lambda: os.execv("/bin/true", ["true"]))
+limited = attempt(bomb)
+def work():
+    import numpy
+    return open("trial", "w").write("x") == 1 and numpy.arange(3).sum() == 3
+works = attempt(work)
+"""
+# name: (what must have come out, what it means)
+_TRIALS = {
+    "read_a_file": (("FileNotFoundError", "PermissionError"), "no file outside can be read"),
+    "write_a_file": (
+        ("FileNotFoundError", "PermissionError", "OSError"),
+        "no file outside can be written",
+    ),
+    "open_a_connection": (
+        ("PermissionError", "OSError", "ConnectionRefusedError"),
+        "no connection can be opened",
+    ),
+    "signal_the_grader": (("ProcessLookupError", "PermissionError"), "the grader is out of reach"),
+    "start_a_program": (("PermissionError", "FileNotFoundError"), "no program can be started"),
+    "limited": (("True",), "the number of processes is limited"),
+    "works": (("True",), "numpy works and the working folder can be written"),
+}
+
+
+@dataclass
+class Tier:
+    """One kind of isolation; ``text`` names it for reports, ``results`` says what was tried."""
+
+    name: str
+    with_namespaces: bool
+    course: Course
+    text: str = ""
+    results: dict[str, bool] = field(default_factory=dict)
+    problem: str = ""
+    _started: Host | None = None
+
+    def start(self) -> Host:
+        """A new host of this kind.
+
+        Raises:
+            HostError: if it cannot be started.
+        """
+        return Host(self.course.root, self.course.settings, self.with_namespaces)
+
+    def take_started(self) -> Host | None:
+        """The host on which the trial was held, once."""
+        host, self._started = self._started, None
+        return host
+
+    def try_out(self) -> bool:
+        """Start a host and let student code try to get out of it."""
+        try:
+            host = self.start()
+        except (HostError, OSError) as error:
+            self.problem = str(error)
+            return False
+        try:
+            self.results = _try_to_get_out(host, self.course)
+        except (HostError, OSError, EOFError, Late, WireError) as error:
+            self.problem = str(error) or "the trial did not end"
+            host.stop()
+            return False
+        failed = [_TRIALS[name][1] for name, held in self.results.items() if not held]
+        if failed:
+            self.problem = "it does not hold that " + " and that ".join(failed)
+            host.stop()
+            return False
+        self.text = describe(self.with_namespaces)
+        self._started = host
+        return True
+
+
+def describe(with_namespaces: bool) -> str:
+    """What keeps student code in, and what is missing."""
+    parts = ["bubblewrap"] if with_namespaces else []
+    missing = [] if with_namespaces else ["a file system and a list of processes of its own"]
+    if landlock.version():
+        parts.append("Landlock")
+    else:
+        missing.append("Landlock")
+    if seccomp.build_filter() is not None:
+        parts.append("seccomp")
+    else:
+        missing.append("seccomp")
+    text = ", ".join(parts) + " and process limits"
+    return text + (f"; missing: {' and '.join(missing)}" if missing else "")
+
+
+def tiers(course: Course) -> list[Tier]:
+    """Every kind of isolation, the best first, not yet tried."""
+    return [
+        Tier("bubblewrap", True, course),
+        Tier("reduced", False, course),
+    ]
+
+
+_best: dict[tuple[Path, str], Tier] = {}
+_lock = Lock()
+
+
+def best_tier(course: Course, wanted: str = "auto") -> Tier:
+    """The best kind that works here, or the one that is wanted; tried once a process and course.
+
+    Raises:
+        SandboxError: if none works; the sentence says why and what to do.
+    """
+    with _lock:
+        tried = _best.get((course.root, wanted))
+        if tried is not None:
+            return Tier(tried.name, tried.with_namespaces, course, tried.text, tried.results)
+        problems = []
+        for tier in tiers(course):
+            if wanted not in ("auto", tier.name):
+                continue
+            if tier.try_out():
+                _best[course.root, wanted] = tier
+                return tier
+            problems.append(f"{tier.name}: {tier.problem.rstrip('.')}")
+    raise SandboxError(
+        f"Submissions cannot be kept in on this machine ({'; '.join(problems)}). "
+        f"{_advice()} `autograder doctor` shows each attempt; --no-sandbox grades with your own "
+        "rights, only for submissions that you trust."
+    )
+
+
+def _advice() -> str:
+    if bubblewrap.find_bubblewrap() is None:
+        return "Install bubblewrap (apt install bubblewrap)."
+    return (
+        "Allow user namespaces (on Ubuntu: sysctl kernel.apparmor_restrict_unprivileged_userns=0; "
+        "in a container: --security-opt seccomp=unconfined)."
+    )
+
+
+def _try_to_get_out(host: Host, course: Course) -> dict[str, bool]:
+    import socket
+
+    with (
+        tempfile.NamedTemporaryFile("w", prefix="autograder-canary-", suffix=".txt") as canary,
+        socket.socket() as listener,
+    ):
+        canary.write("secret")
+        canary.flush()
+        os.chmod(canary.name, 0o666)
+        listener.bind(("127.0.0.1", 0))
+        listener.listen()
+        cell = _CELL.format(
+            canary=canary.name,
+            port=listener.getsockname()[1],
+            grader=os.getpid(),
+            processes=_TRIAL_PROCESSES,
+        )
+        channel = host.open(limits(course.settings, _TRIAL_PROCESSES), seed=0)
+        try:
+            deadline = time.monotonic() + _TRIAL_SECONDS
+            message: dict[str, Any] = {
+                "do": "run",
+                "nonce": "trial",
+                "cells": [cell],
+                "names": list(_TRIALS),
+                "skip": {},
+                "cell_seconds": _TRIAL_SECONDS,
+                "seconds": _TRIAL_SECONDS,
+            }
+            channel.send(message, deadline)
+            while "reply" not in (answer := channel.receive(deadline)):
+                pass
+        finally:
+            channel.close()
+        host.close()
+        understood = answer["reply"]["understood"]
+        untouched = Path(canary.name).read_text() == "secret"
+    results = {name: understood.get(name) in expected for name, (expected, _) in _TRIALS.items()}
+    results["write_a_file"] = results["write_a_file"] and untouched
+    return results

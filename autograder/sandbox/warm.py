@@ -1,0 +1,95 @@
+"""Imports and warms everything once, so that a fork starts with it.
+
+Run as a program it does the same outside of any sandbox, which makes Python keep the compiled
+modules where the sandbox, which writes nothing, finds them.
+"""
+
+from __future__ import annotations
+
+import importlib
+import pkgutil
+import sys
+from collections.abc import Iterator
+from contextlib import suppress
+from types import ModuleType
+
+from autograder.sandbox.notebook import Notebook
+
+_LIBRARIES = (
+    "asyncio",
+    "cv2",
+    "IPython.display",
+    "matplotlib.animation",
+    "matplotlib.pyplot",
+    "mpl_toolkits.mplot3d",
+    "numpy.fft",
+    "numpy.linalg",
+    "numpy.ma",
+    "numpy.polynomial",
+    "numpy.random",
+    "numpy.testing",
+    "sympy",
+    "sympy.stats",
+    "autograder",
+)
+# No `await`: an event loop of this process would be of no use in a fork.
+# Small things of the kind that notebooks do; what they load and cache is then there.
+_CELLS = (
+    """
+import numpy as np, sympy as sp, matplotlib.pyplot as plt, cv2
+x, y = sp.symbols("x y", real=True)
+f = sp.sin(x * y)**2 + sp.sqrt(x**2 + 1) / y
+sp.simplify(sp.diff(f, x)); sp.solve(x**2 - y, x); sp.lambdify([x, y], f)(1.0, 2.0)
+sp.Sum(x, (y, 1, 3)).doit(); sp.atan2(x, y).subs({x: 1, y: 2}).evalf(); str(f)
+sp.integrate(x * y, x); sp.Matrix([[x, 1], [1, y]]).det(); sp.expand((x + y)**2)
+sp.factor(x**2 - y**2)
+np.linalg.svd(np.eye(2)); np.linalg.lstsq(np.eye(2), np.ones(2), rcond=None); np.cov(np.eye(2))
+np.random.default_rng(0).normal(size=3); np.random.rand(2)
+""",
+    """
+figure, axes = plt.subplots(1, 2)
+axes[0].plot([0, 1], [0, 1], label="a"); axes[1].scatter([0, 1], [0, 1], c=[0, 1])
+axes[0].set_title("t"); axes[0].legend(); axes[0].set_aspect("equal"); plt.show()
+""",
+    """
+picture = np.zeros((64, 64), np.uint8); picture[20:40, 20:40] = 255
+cv2.ORB_create().detectAndCompute(picture, None); cv2.SIFT_create().detectAndCompute(picture, None)
+cv2.GaussianBlur(picture, (3, 3), 1); cv2.cvtColor(picture, cv2.COLOR_GRAY2BGR)
+""",
+    "%timeit -n1 -r1 1\nfrom autograder import ask, check, progress, submit\nprogress();",
+    "1 / 0",
+)
+
+
+def warm() -> Notebook:
+    """An empty notebook in a process where everything is imported."""
+    for name in _LIBRARIES:
+        with suppress(Exception):
+            importlib.import_module(name)
+    for name in _course_modules():
+        with suppress(Exception):
+            importlib.import_module(name)
+    import cv2
+
+    cv2.setNumThreads(1)  # its threads would not be there after a fork
+    notebook = Notebook()
+    notebook.run(list(_CELLS), ["f", "x", "figure"])
+    notebook.forget()
+    return notebook
+
+
+def _course_modules() -> Iterator[str]:
+    """The modules of the course that notebooks import: those of ``data`` and ``notebooks``."""
+    for package in ("data", "notebooks"):
+        with suppress(Exception):
+            module: ModuleType = importlib.import_module(package)
+            yield from (
+                f"{package}.{entry.name}"
+                for entry in pkgutil.iter_modules(module.__path__)
+                if not entry.name[0].isdigit()
+            )
+
+
+if __name__ == "__main__":
+    sys.dont_write_bytecode = False
+    warm()

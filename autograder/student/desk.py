@@ -1,0 +1,220 @@
+"""One student's work in one kernel: every answer is kept first and marked then."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+from weakref import WeakSet
+
+from autograder.course import Course
+from autograder.errors import UsageError
+from autograder.marking.mark import Mark, not_attempted, stopped
+from autograder.questions import Expression, Number, Order, Question, TrueFalse
+from autograder.sandbox.evaluate import describe, evaluate
+from autograder.student.choices import fits, untouched
+from autograder.student.frontend import running_shell
+from autograder.student.marker_client import marker_for
+from autograder.student.receipts import rescued_entries
+from autograder.student.responses import Entry, Responses, attempts, responses_folder
+from autograder.student.typed import read_typed
+
+
+class Desk:
+    """Keeps and marks the responses to a course's questions.
+
+    What is shown and must follow (widgets) is in ``onlookers`` and is told of every change.
+    """
+
+    def __init__(self, course: Course) -> None:
+        self.course = course
+        self.onlookers: WeakSet[Any] = WeakSet()
+
+    def responses(self, question: Question) -> Responses:
+        """The file that holds the responses to the question's chapter."""
+        return self.chapter_responses(question.chapter)
+
+    def chapter_responses(self, name: str) -> Responses:
+        """The file that holds the responses to a chapter."""
+        chapter = self.course.chapter(name)
+        return Responses(
+            responses_folder(self.course.root),
+            name,
+            rescue=lambda: rescued_entries(self.course, chapter),
+        )
+
+    def mend(self) -> list[str]:
+        """Put right what is damaged or missing, and say what was done."""
+        said = [self.chapter_responses(chapter.name).mend() for chapter in self.course.chapters]
+        return [sentence for sentence in said if sentence]
+
+    def entries(self) -> dict[str, dict[str, Entry]]:
+        """Everything that is kept, by chapter and question id."""
+        return {
+            chapter.name: self.chapter_responses(chapter.name).all()
+            for chapter in self.course.chapters
+        }
+
+    def entry(self, question: Question) -> Entry:
+        """What is kept for a question; a response that does not fit it counts as none."""
+        entry = self.responses(question).get(question.id)
+        if entry.get("response") is not None and not fits(question, entry["response"]):
+            return {**entry, "response": None}
+        return entry
+
+    def keep(self, question: Question, change: Callable[[Any], Any]) -> Entry:
+        """Keep a response without marking it; ``change`` makes the new response of the old one.
+
+        Raises:
+            ResponsesError: if it cannot be saved.
+        """
+
+        def changed(entry: Entry) -> Entry:
+            before = entry.get("response")
+            response = change(before if fits(question, before) else None)
+            if response == before:
+                return entry
+            status = "not attempted" if untouched(question, response) else "recorded"
+            return {
+                **entry,
+                "kind": question.kind,
+                "response": response,
+                "understood": "",
+                "status": status,
+                "points": 0.0,
+                "attempts": attempts(entry),
+            }
+
+        entry = self.responses(question).update(question.id, changed)
+        self.tell(question.id)
+        return entry
+
+    def mark_choice(self, question: TrueFalse | Order, count: bool = True) -> Mark:
+        """Mark the statements or cards that are kept; ``count`` it as an attempt or not.
+
+        Raises:
+            ResponsesError: if the mark cannot be saved.
+            CourseError: if the key is broken; the response stays kept.
+        """
+        response = self.entry(question).get("response")
+        if response is None or untouched(question, response):
+            mark = not_attempted(question)
+        else:
+            marker = marker_for(self.course)
+            mark = stopped(question, "recorded")
+            if marker is not None:
+                mark = marker.mark(question.id, response)
+        if count and response is not None:
+            self._note(question, mark, lambda entry: entry.get("response"))
+        return mark
+
+    def keep_typed(self, question: Number | Expression, text: str) -> Any:
+        """Keep what was typed into the field of a question, and return what it means.
+
+        Raises:
+            UsageError: if it is not understood; nothing is changed then.
+            ResponsesError: if it cannot be saved.
+        """
+        value = read_typed(question, text, variables=_variables())
+        kept = value if isinstance(question, Number) else text.strip()
+        self.keep(question, lambda before: kept)
+        return value
+
+    def typed(self, question: Question) -> Any:
+        """What was typed into the field of a question, ``...`` if nothing was."""
+        response = self.entry(question).get("response")
+        if response is None or not isinstance(question, Number | Expression):
+            return ...
+        if isinstance(question, Number):
+            return response
+        try:
+            return read_typed(question, response)
+        except UsageError:
+            return ...
+
+    def mark_value(self, question: Question, response: Any, count: bool = True) -> Mark:
+        """Mark a value, an expression or a function.
+
+        An ellipsis stands for what was typed into the field, if anything was.
+
+        Raises:
+            ResponsesError: if the mark cannot be saved.
+            CourseError: if the key is broken.
+        """
+        from_field = response is ...
+        if from_field:
+            response = self.typed(question)
+        marker = marker_for(self.course)
+        understood = "" if response is ... else describe(response)
+        if response is ...:
+            mark = not_attempted(question)
+        elif marker is not None:
+            reply = evaluate(response, marker.probe(question.id))
+            mark = marker.mark(question.id, reply, understood)
+        else:
+            # Without a key an untouched stub is still told from a response.
+            stub = _is_stub(response)
+            mark = not_attempted(question) if stub else stopped(question, "recorded")
+        if count and mark.status != "not attempted":
+            self._note(
+                question,
+                mark,
+                lambda entry: entry.get("response") if from_field else None,
+                understood,
+            )
+        return mark
+
+    def open_hint(self, question: Question) -> int:
+        """Open one more hint; returns how many are open now."""
+
+        def opened(entry: Entry) -> Entry:
+            count = min(hints_open(entry) + 1, len(question.hints))
+            return {"status": "not attempted", "response": None, **entry, "hints": count}
+
+        entry = self.responses(question).update(question.id, opened)
+        self.tell(question.id)
+        return hints_open(entry)
+
+    def tell(self, id: str) -> None:
+        """Let everything on show follow a change of one question."""
+        for onlooker in list(self.onlookers):
+            onlooker.follow(id)
+
+    def _note(
+        self,
+        question: Question,
+        mark: Mark,
+        response: Callable[[Entry], Any],
+        understood: str = "",
+    ) -> None:
+        """Write a mark to the response it belongs to, and count the attempt."""
+
+        def noted(entry: Entry) -> Entry:
+            return {
+                **entry,
+                "kind": question.kind,
+                "response": response(entry),
+                "understood": understood,
+                "status": mark.status,
+                "points": mark.points,
+                "attempts": attempts(entry) + 1,
+            }
+
+        self.responses(question).update(question.id, noted)
+        self.tell(question.id)
+
+
+def hints_open(entry: Entry) -> int:
+    """How many hints of a question have been opened."""
+    count = entry.get("hints", 0)
+    return count if isinstance(count, int) and count >= 0 else 0
+
+
+def _is_stub(response: Any) -> bool:
+    """Whether a function still only raises NotImplementedError, as the handout's stub does."""
+    code = getattr(response, "__code__", None)
+    return code is not None and code.co_names == ("NotImplementedError",)
+
+
+def _variables() -> dict[str, Any]:
+    shell = running_shell()
+    return shell.user_ns if shell is not None else {}

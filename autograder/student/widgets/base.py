@@ -1,0 +1,86 @@
+"""What all widgets of the course share: messages that are answered, and a state that follows."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from pathlib import Path
+from typing import Any
+
+import anywidget
+import traitlets
+
+from autograder.errors import AutograderError
+from autograder.student.desk import Desk
+
+_HERE = Path(__file__).parent
+
+
+@lru_cache(maxsize=32)
+def source(*names: str) -> str:
+    """Files of this folder, one after the other: a module and the helpers it uses."""
+    return "\n".join((_HERE / name).read_text(encoding="utf-8") for name in names)
+
+
+class CourseWidget(anywidget.AnyWidget):  # type: ignore[misc]
+    """A widget whose truth lies in the desk's files and never in the browser.
+
+    The browser sends ``{"seq": n, "do": name, ...}``. The method ``do_name`` acts, the state is
+    sent, and then ``{"seq": n, "ok": ..., "said": ...}``: only this reply tells the browser that
+    an answer is kept.
+    """
+
+    _css = source("common.css")
+    fixed = traitlets.Dict().tag(sync=True)  # what is asked
+    state = traitlets.Dict().tag(sync=True)  # what is answered
+
+    topic = ""  # what it is about: a question's id, or nothing
+
+    def __init__(self, desk: Desk) -> None:
+        self.desk = desk
+        self.receipt_display: Any = None
+        super().__init__(fixed=self.what_is_fixed(), state=self.what_is_kept())
+        self.on_msg(self._receive)
+        desk.onlookers.add(self)
+
+    def what_is_fixed(self) -> dict[str, Any]:
+        """What the browser needs once."""
+        raise NotImplementedError
+
+    def what_is_kept(self) -> dict[str, Any]:
+        """What the browser shows as answered, read anew from the truth."""
+        raise NotImplementedError
+
+    def receipt(self) -> dict[str, Any] | None:
+        """The output that stays readable in the saved notebook."""
+        return None
+
+    def follow(self, id: str) -> None:
+        """Show the truth again after the question with this id has changed."""
+        if self.topic in ("", id):
+            self.state = self.what_is_kept()
+            receipt = self.receipt()
+            if self.receipt_display is not None and receipt is not None:
+                self.receipt_display.update(receipt, raw=True)
+
+    def close(self) -> None:
+        """Take the widget off the desk too."""
+        self.desk.onlookers.discard(self)
+        super().close()
+
+    def _receive(self, widget: Any, message: dict[str, Any], buffers: Any) -> None:
+        reply: dict[str, Any] = {"seq": message.get("seq"), "ok": True, "said": ""}
+        try:
+            reply |= getattr(self, f"do_{message['do']}")(message) or {}
+        except AutograderError as error:
+            reply |= {"ok": False, "said": str(error)}
+        except Exception as error:
+            reply |= {
+                "ok": False,
+                "said": f"This did not work ({type(error).__name__}); run the cell again.",
+            }
+        self.state = self.what_is_kept()
+        self.send(reply)
+
+    def do_hello(self, message: dict[str, Any]) -> dict[str, Any]:
+        """The browser asks whether anybody is here."""
+        return {}

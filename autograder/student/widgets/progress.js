@@ -1,0 +1,38 @@
+// A bar for each chapter: how many questions are answered, and the points.
+
+function render({ model, el }) {
+  const { label, marks } = model.get("fixed");
+  const root = openFrame(el, label);
+  const list = make("ul", { class: "ag-chapters" });
+  const status = make("p", { class: "ag-status", role: "status" });
+  root.append(list, status);
+
+  function draw() {
+    const { chapters } = model.get("state");
+    list.replaceChildren(
+      ...chapters.map(({ title, answered, questions, points, most }) => {
+        const said = `${answered} of ${questions} answered`;
+        const bar = make("progress", {
+          class: "ag-bar",
+          max: questions,
+          value: answered,
+          "aria-label": `${title}: ${said}`,
+        });
+        const earned = marks ? `${said} · ${points} of ${most} points` : said;
+        return make("li", {}, make("span", { class: "ag-title" }, title), bar, make("span", {}, earned));
+      }),
+    );
+  }
+
+  connect({
+    model,
+    el,
+    draw,
+    live() {},
+    tell(text, kind) {
+      status.textContent = kind === "lost" ? "As it was last. Run this cell again to go on." : "";
+    },
+  });
+}
+
+export default { render };

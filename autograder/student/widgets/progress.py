@@ -1,0 +1,39 @@
+"""A bar for each chapter that grows as questions are answered."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from autograder.student.desk import Desk
+from autograder.student.responses import answered, points
+from autograder.student.views import number
+from autograder.student.widgets.base import CourseWidget, source
+
+
+class ProgressWidget(CourseWidget):
+    """Answered questions and points, chapter by chapter."""
+
+    _esm = source("common.js", "progress.js")
+    _css = source("common.css", "progress.css")
+
+    def __init__(self, desk: Desk) -> None:
+        super().__init__(desk)
+
+    def what_is_fixed(self) -> dict[str, Any]:
+        return {"label": "Progress", "marks": self.desk.course.has_key}
+
+    def what_is_kept(self) -> dict[str, Any]:
+        kept = self.desk.entries()
+        chapters = []
+        for chapter in self.desk.course.chapters:
+            entries = kept[chapter.name]
+            chapters.append(
+                {
+                    "title": chapter.title,
+                    "answered": sum(answered(entries.get(q.id)) for q in chapter.questions),
+                    "questions": len(chapter.questions),
+                    "points": number(sum(points(entries.get(q.id)) for q in chapter.questions)),
+                    "most": number(sum(q.points for q in chapter.questions)),
+                }
+            )
+        return {"chapters": chapters}

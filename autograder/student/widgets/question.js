@@ -1,0 +1,107 @@
+// The parts that questions of every kind have around their own controls.
+//
+//   draw(state)      shows what is kept in the question's own controls
+//   live(yes)        called after the controls have been switched on or off
+//
+// Returns the frame with `body` (for the controls), `check` (a button), `send` and `announce`.
+function openQuestion({ model, el, draw, live = () => {}, checkable = true }) {
+  const fixed = model.get("fixed");
+  const root = openFrame(el, fixed.label);
+  const controls = make("fieldset", { class: "ag-controls" });
+  const body = make("div", { class: "ag-body" });
+  const check = make("button", { type: "button", class: "ag-check" }, "Check");
+  const hint = make("button", { type: "button", class: "ag-hint" });
+  const attempts = make("span", { class: "ag-attempts" });
+  const hints = make("ol", { class: "ag-hints", "aria-live": "polite", "aria-label": "Hints" });
+  const mark = make("div", { class: "ag-mark", "aria-live": "polite" });
+  const status = make("p", { class: "ag-status", role: "status" });
+  const announcer = make("p", { class: "ag-announcer", "aria-live": "assertive" });
+  const refusal = make("p", { class: "ag-refusal", role: "alert", hidden: true });
+  keepKeys(check, hint);
+
+  const actions = make("div", { class: "ag-actions" });
+  if (checkable && fixed.marks) actions.append(check);
+  if (fixed.hints.length) actions.append(hint);
+  actions.append(attempts, status);
+  controls.append(body, actions);
+  if (fixed.prompt) root.append(make("div", { class: "ag-prompt", html: fixed.prompt }));
+  root.append(refusal, controls, mark, hints, announcer);
+
+  function drawAll() {
+    const state = model.get("state");
+    draw(state);
+    attempts.textContent = state.attempts;
+    refusal.textContent = state.refusal;
+    refusal.hidden = !state.refusal;
+    drawMark(mark, state.mark);
+    while (hints.children.length < state.hints) {
+      const text = fixed.hints[hints.children.length];
+      hints.append(make("li", { html: text }));
+    }
+    hints.hidden = hints.children.length === 0;
+    const left = fixed.hints.length - state.hints;
+    hint.textContent = `Hint ${Math.min(state.hints + 1, fixed.hints.length)} of ${fixed.hints.length}`;
+    if (left <= 0) {
+      hint.textContent = "No more hints";
+      hint.setAttribute("aria-disabled", "true");
+    }
+  }
+
+  const send = connect({
+    model,
+    el,
+    draw: drawAll,
+    tell(text, kind) {
+      status.textContent = text;
+      status.className = `ag-status ag-${kind || "quiet"}`;
+    },
+    live(yes) {
+      controls.disabled = !yes;
+      live(yes);
+    },
+  });
+
+  check.addEventListener("click", () => send({ do: "check" }));
+  hint.addEventListener("click", () => {
+    if (!hint.hasAttribute("aria-disabled")) send({ do: "hint" }, false);
+  });
+  if (!fixed.marks && checkable) {
+    actions.prepend(
+      make("span", { class: "ag-note" }, "Answers are kept as you give them and marked later."),
+    );
+  }
+  return { root, body, actions, check, send, announce: (text) => (announcer.textContent = text) };
+}
+
+function drawMark(place, mark) {
+  const drawn = JSON.stringify(mark);
+  if (place.dataset.drawn === drawn) return; // an open explanation stays open
+  place.dataset.drawn = drawn;
+  place.replaceChildren();
+  place.hidden = !mark;
+  if (!mark) return;
+  place.className = `ag-mark ag-${mark.status.replaceAll(" ", "-")}`;
+  place.append(
+    make(
+      "p",
+      { class: "ag-verdict" },
+      make("strong", {}, `${mark.sign} ${mark.status}`),
+      mark.points ? ` · ${mark.points}` : "",
+    ),
+    make("p", { class: "ag-feedback", html: mark.feedback }),
+  );
+  if (mark.explanation) {
+    const summary = make("summary", {}, "Explanation (it tells the answer)");
+    keepKeys(summary);
+    place.append(make("details", {}, summary, make("div", { html: mark.explanation })));
+  }
+}
+
+// The verdict on one statement or card: a sign, and words for those who do not see it.
+function drawPart(place, part, wrong) {
+  place.hidden = !part || (part.right === null && !part.feedback);
+  place.className = `ag-part ${part?.right ? "ag-right" : part?.right === false ? "ag-wrong" : ""}`;
+  if (place.hidden) return place.replaceChildren();
+  const verdict = part.right ? "✓ right" : part.right === false ? `✗ ${wrong}` : "○ open";
+  place.replaceChildren(make("strong", {}, verdict), " ", make("span", { html: part.feedback }));
+}

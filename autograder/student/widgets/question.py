@@ -1,0 +1,109 @@
+"""What the widgets of all questions show: hints, attempts, the mark, and what is kept."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from autograder.errors import AutograderError
+from autograder.marking.mark import Mark
+from autograder.questions import Question
+from autograder.student.desk import Desk, hints_open
+from autograder.student.receipts import RECEIPT, receipt
+from autograder.student.responses import Entry, attempts
+from autograder.student.views import SIGNS, number, plural
+from autograder.student.widgets.base import CourseWidget
+from autograder.student.widgets.markup import block, line
+
+
+class QuestionWidget(CourseWidget):
+    """One question on show."""
+
+    def __init__(self, desk: Desk, question: Question, with_prompt: bool) -> None:
+        self.question = question
+        self.topic = question.id
+        self.mark: Mark | None = None
+        self.marked_response: Any = None
+        self._with_prompt = with_prompt
+        self._refusal = desk.responses(question).refusal()
+        super().__init__(desk)
+
+    def what_is_fixed(self) -> dict[str, Any]:
+        question = self.question
+        return {
+            "label": f"{question.id} · {question.title}",
+            "prompt": block(question.prompt) if self._with_prompt else "",
+            "hints": [block(hint) for hint in question.hints],
+            "marks": self.desk.course.has_key,
+        }
+
+    def what_is_kept(self) -> dict[str, Any]:
+        entry = self.desk.entry(self.question)
+        count = attempts(entry)
+        return {
+            "response": entry.get("response"),
+            "attempts": f"{count} attempt{'' if count == 1 else 's'}" if count else "",
+            "hints": hints_open(entry),
+            "mark": self.mark_on_show(entry),
+            "refusal": self._refusal,
+        }
+
+    def mark_on_show(self, entry: Entry) -> dict[str, Any] | None:
+        """The mark, as long as it belongs to what is kept."""
+        mark = self.mark
+        if mark is None or entry.get("response") != self.marked_response:
+            return None
+        earned = "" if mark.status == "recorded" else _earned(mark)
+        return {
+            "status": mark.status,
+            "sign": SIGNS.get(mark.status, "!"),
+            "points": earned,
+            "feedback": line(mark.feedback),
+            "explanation": block(mark.explanation) if mark.status in _EXPLAINED else "",
+            "parts": [
+                {"right": part.right, "feedback": line(part.feedback)} for part in mark.parts
+            ],
+        }
+
+    def show_mark(self, mark: Mark) -> None:
+        """Keep a mark on show with the response that it judges."""
+        self.mark = mark
+        self.marked_response = self.desk.entry(self.question).get("response")
+
+    def do_hint(self, message: dict[str, Any]) -> dict[str, Any]:
+        """Open one more hint."""
+        self.desk.open_hint(self.question)
+        return {}
+
+    def receipt(self) -> dict[str, Any] | None:
+        response = self.desk.entry(self.question).get("response")
+        words = f"Kept for {self.question.id}: {self.words(response)}"
+        bundle: dict[str, Any] = {
+            "text/plain": words,
+            # Hidden while the widget itself is drawn.
+            "text/html": f'<p class="autograder-receipt"><small>{_escaped(words)}</small></p>',
+        }
+        if response is not None:
+            bundle[RECEIPT] = receipt(self.question.id, response)
+        return bundle
+
+    def words(self, response: Any) -> str:
+        """The response for people to read."""
+        return "nothing yet." if response is None else str(response)
+
+    def remark(self, mark: Any) -> None:
+        """Run ``mark`` and show its result; a broken key is no reason not to show the question."""
+        try:
+            self.show_mark(mark())
+        except AutograderError:
+            self.mark = None
+
+
+_EXPLAINED = ("right", "partial", "wrong")
+
+
+def _earned(mark: Mark) -> str:
+    return f"{number(mark.points)} of {plural(mark.max_points, 'point')}"
+
+
+def _escaped(text: str) -> str:
+    return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")

@@ -1,0 +1,1 @@
+"""How each data set is made from its source; needs the dependency group ``data``."""

@@ -1,0 +1,27 @@
+"""Every picture of the course. Each function takes data, shows one picture and returns nothing."""
+
+from notebooks.figures.chances import growth, noisy_inliers, runs_that_failed, waiting_times
+from notebooks.figures.consensus import found_line, guesses, hypothesis
+from notebooks.figures.cost import cost_over_angle, squared_distances
+from notebooks.figures.fits import fitted_line, one_outlier, scan, scattered_fits, uncertain_line
+from notebooks.figures.polar import polar_line, polar_lines, steep_walls
+
+__all__ = [
+    "cost_over_angle",
+    "fitted_line",
+    "found_line",
+    "growth",
+    "guesses",
+    "hypothesis",
+    "noisy_inliers",
+    "one_outlier",
+    "polar_line",
+    "polar_lines",
+    "runs_that_failed",
+    "scan",
+    "scattered_fits",
+    "squared_distances",
+    "steep_walls",
+    "uncertain_line",
+    "waiting_times",
+]

@@ -1,0 +1,141 @@
+"""What student code is offered: everything that a notebook in Jupyter has, and no more."""
+
+import numpy as np
+import pytest
+from conftest import GOOD, NUMBER, check_good
+
+from autograder.sandbox.launcher import Stopped
+
+
+def test_a_good_notebook_gets_through(sandbox):
+    check_good(sandbox)
+
+
+def test_the_isolation_is_named_for_reports(sandbox):
+    assert "Landlock" in sandbox.isolation or "bubblewrap" in sandbox.isolation
+
+
+def test_cells_run_as_in_jupyter(session):
+    cells = [
+        "%matplotlib inline\nimport matplotlib.pyplot as plt",
+        "%%time\na = 1",
+        "!ls -l\nb = 2",
+        "%%bash\nexit 3",
+        "%pip install something\nc = 3",
+        "files = !ls",
+        "import asyncio\nawait asyncio.sleep(0)\nd = 4",
+        "plt.plot([1, 2])\nplt.show()",
+        "e = len(plt.get_fignums())",
+        "from IPython.display import display\ndisplay(a)",
+        "%timeit -n1 -r1 a",
+        "x = input()",
+        "import sys; sys.exit()",
+        "this is no Python",
+        "1 / 0",
+        "f = 6",
+    ]
+    report = session.run(cells, list("abcdef"))
+    assert report["errors"] == [
+        None, None, None, None, None, None, None, None, None, None, None,
+        "StdinNotImplementedError" if report["errors"][11] != "EOFError" else "EOFError",
+        "SystemExit", "SyntaxError", "ZeroDivisionError", None,
+    ]  # fmt: skip
+    assert report["understood"] == {"a": "1", "b": "2", "c": "3", "d": "4", "e": "0", "f": "6"}
+
+
+def test_the_working_folder_looks_like_the_courses_own(session):
+    cells = [
+        "import os, figures, data\nfrom notebooks import figures as same",
+        "where = os.path.basename(os.getcwd())",
+        "here = sorted(os.listdir('.'))",
+        "open('mine.txt', 'w').write('x'); beside = open('../data/__init__.py').read()[:7]",
+    ]
+    report = session.run(cells, ["where", "here", "beside"])
+    assert report["errors"] == [None] * 4
+    assert report["understood"] == {
+        "where": "notebooks",
+        "here": "['__init__.py', 'figures.py', 'questions']",
+        "beside": "numbers",
+    }
+
+
+def test_a_question_cannot_change_what_the_next_one_sees(session):
+    session.run(["items = []", "def grow():\n    items.append(1)\n    return len(items)"], [])
+    probe = {"kind": "function", "cases": [{"args": []}]}
+    for _ in range(2):
+        assert session.evaluate("grow", probe)["outcomes"] == [{"value": 1}]
+
+
+def test_chance_repeats_itself_from_run_to_run(sandbox):
+    cells = [
+        "import random, numpy as np, cv2",
+        "drawn = [random.random(), np.random.rand(), np.random.default_rng().random()]",
+        "names = str({'a', 'b', 'c', 'd'})",
+    ]
+    seen = set()
+    for _ in range(3):
+        with sandbox.session() as session:
+            seen.add(str(session.run(cells, ["drawn", "names"])["understood"]))
+    assert len(seen) == 1
+
+
+def test_arrays_and_arguments_cross_as_they_are(session):
+    session.run(["def same(*a, **k): return [*a, k]"], [])
+    array = np.arange(6.0).reshape(2, 3)
+    probe = {"kind": "function", "cases": [{"args": [array, 1, "é"], "kwargs": {"w": None}}]}
+    (outcome,) = session.evaluate("same", probe)["outcomes"]
+    returned = outcome["value"]
+    np.testing.assert_array_equal(returned[0], array)
+    assert returned[1:] == [1, "é", {"w": None}]
+
+
+def test_a_recorded_response_comes_back(session):
+    code = (
+        "import json, os, pathlib\n"
+        "folder = pathlib.Path(os.environ['AUTOGRADER_RESPONSES'])\n"
+        "entry = {'responses': {'Q1.1': {'response': [True, False]}}}\n"
+        "(folder / 'ransac.json').write_text(json.dumps(entry))\n"
+    )
+    assert session.run([code], [])["responses"] == {"Q1.1": [True, False]}
+
+
+def test_a_loop_in_one_cell_costs_that_cell(session):
+    report = session.run(["a = 1", "while True: pass", "b = 2"], ["a", "b"])
+    assert report["errors"] == [None, "timeout", None]
+    assert report["understood"] == {"a": "1", "b": "2"}
+
+
+def test_a_question_whose_cell_was_stopped_says_so(session):
+    session.run(["a = 1", "while True: pass\nk = 5"], [])
+    with pytest.raises(Stopped) as stopped:
+        session.evaluate("k", NUMBER)
+    assert stopped.value.status == "timeout"
+    assert session.evaluate("other", NUMBER) == {"state": "unusable", "reason": "missing"}
+    assert session.evaluate("a", NUMBER) == {"state": "given", "value": 1}
+
+
+def test_a_loop_in_one_function_costs_that_question(session):
+    session.run(["def hang():\n    while True: pass", *GOOD], [])
+    with pytest.raises(Stopped) as stopped:
+        session.evaluate("hang", {"kind": "function", "cases": [{"args": []}]})
+    assert stopped.value.status == "timeout"
+    assert session.evaluate("k", NUMBER) == {"state": "given", "value": 74}
+
+
+def test_a_crash_in_one_function_costs_that_question_and_is_named(session):
+    session.run(["import ctypes\ndef crash():\n    ctypes.string_at(0)", *GOOD], [])
+    with pytest.raises(Stopped) as stopped:
+        session.evaluate("crash", {"kind": "function", "cases": [{"args": []}]})
+    assert (stopped.value.status, stopped.value.why) == ("killed", "it crashed (SIGSEGV)")
+    assert session.evaluate("k", NUMBER) == {"state": "given", "value": 74}
+
+
+def test_cells_after_the_notebooks_time_are_not_run(sandbox):
+    from dataclasses import replace
+
+    from autograder.sandbox.session import Session
+
+    limits = replace(sandbox._course.settings, notebook_seconds=1.5)
+    with Session(sandbox._take_host, limits, 0) as session:
+        report = session.run(["import time", *["time.sleep(0.9)"] * 4, "k = 1"], ["k"])
+    assert report["errors"] == [None, None, "timeout", "timeout", "timeout", "timeout"]

@@ -1,0 +1,201 @@
+import itertools
+import math
+
+import numpy as np
+import pytest
+
+from solutions import ransac_loop
+from solutions.line_fitting import Line, distances, fit_line, point_at
+from solutions.plane_fitting import Plane, fit_plane, plane_distances
+from solutions.ransac import draw_samples, ransac_line, ransac_plane, required_iterations
+
+THRESHOLD = 0.02
+
+
+def wall_among_outliers(rng: np.random.Generator, N: int = 400, inliers: int = 120) -> np.ndarray:
+    """The first `inliers` points are on 3x + 4y = 10, up to noise within the threshold."""
+    wall = point_at(rng.uniform(-5, 5, inliers), Line(2.0, math.atan2(4, 3)))
+    wall += rng.uniform(-0.5, 0.5, wall.shape) * THRESHOLD
+    return np.vstack([wall, rng.uniform(-6, 6, (N - inliers, 2))])
+
+
+def floor_among_outliers(rng: np.random.Generator, N: int = 400, inliers: int = 160) -> np.ndarray:
+    """The first `inliers` points are on x + 2y + 2z = 3, up to noise within the threshold."""
+    x, y = rng.uniform(-5, 5, (2, inliers))
+    floor = np.column_stack([x, y, (3 - x - 2 * y) / 2])
+    floor += rng.uniform(-0.3, 0.3, floor.shape) * THRESHOLD
+    return np.vstack([floor, rng.uniform(-6, 6, (N - inliers, 3))])
+
+
+@pytest.mark.parametrize(("N", "s"), [(2, 2), (3, 2), (5, 2), (3, 3), (5, 3), (6, 4)])
+def test_samples_have_no_point_twice_and_every_set_is_equally_likely(N, s):
+    draws = 20000
+    samples = np.sort(draw_samples(N, s, draws, np.random.default_rng(1)), axis=0)
+    sets, counts = np.unique(samples, axis=1, return_counts=True)
+    assert sets.T.tolist() == [list(c) for c in itertools.combinations(range(N), s)]
+    expected = draws / math.comb(N, s)
+    chi_squared = np.sum((counts - expected) ** 2 / expected)
+    assert chi_squared < len(counts) - 1 + 5 * math.sqrt(2 * len(counts))
+
+
+@pytest.mark.parametrize("seed", range(10))
+def test_the_wall_is_found_among_outliers(seed):
+    rng = np.random.default_rng(seed)
+    found = ransac_line(wall_among_outliers(rng), THRESHOLD, 200, rng)
+    assert found.model.r == pytest.approx(2.0, abs=THRESHOLD / 4)
+    assert found.model.alpha == pytest.approx(math.atan2(4, 3), abs=THRESHOLD / 10)
+    assert set(range(120)) <= set(found.inliers)
+    assert found.iterations == 200
+
+
+@pytest.mark.parametrize("seed", range(10))
+def test_the_floor_is_found_among_outliers(seed):
+    rng = np.random.default_rng(seed)
+    found = ransac_plane(floor_among_outliers(rng), THRESHOLD, 300, rng)
+    assert found.model.normal == pytest.approx((1 / 3, 2 / 3, 2 / 3), abs=THRESHOLD / 5)
+    assert found.model.r == pytest.approx(1.0, abs=THRESHOLD / 5)
+    assert set(range(160)) <= set(found.inliers)
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_all_at_once_finds_what_the_loop_finds(seed):
+    points = wall_among_outliers(np.random.default_rng(seed))
+    line, inliers = ransac_loop.ransac_line(points, THRESHOLD, 300, np.random.default_rng(1))
+    found = ransac_line(points, THRESHOLD, 300, np.random.default_rng(2))
+    assert found.model == pytest.approx(line, abs=THRESHOLD / 10)
+    assert np.isin(inliers, found.inliers).mean() > 0.97
+
+
+def test_no_pair_of_points_has_more_on_its_line_than_the_result_before_refitting():
+    rng = np.random.default_rng(3)
+    points = wall_among_outliers(rng, N=40, inliers=15)
+    counts = [
+        np.count_nonzero(np.abs(distances(points, fit_line(points[list(pair)]))) <= THRESHOLD)
+        for pair in itertools.combinations(range(40), 2)
+    ]
+    found = ransac_line(points, THRESHOLD, 20000, rng)  # every pair, for certain
+    assert len(found.inliers) >= max(counts) - 1  # the refit may trade one for a better line
+
+
+def test_model_and_inliers_fit_together():
+    rng = np.random.default_rng(4)
+    points = wall_among_outliers(rng)
+    found = ransac_line(points, THRESHOLD, 100, rng)
+    assert np.array_equal(
+        found.inliers, np.flatnonzero(np.abs(distances(points, found.model)) <= THRESHOLD)
+    )
+
+
+def test_the_same_random_numbers_give_the_same_result_and_leave_the_points_alone():
+    points = wall_among_outliers(np.random.default_rng(0))
+    copy = points.copy()
+    first, second = (ransac_line(points, THRESHOLD, 5, np.random.default_rng(7)) for _ in "ab")
+    assert first.model == second.model
+    assert np.array_equal(points, copy)
+
+
+def test_failures_are_as_rare_as_the_formula_says():
+    # Without noise a line is found exactly when a sample was free of outliers.
+    rng = np.random.default_rng(5)
+    points = rng.uniform(-5, 5, (100, 2))
+    points[:30, 1] = 1.0
+    k, runs = 20, 1500
+    failures = sum(len(ransac_line(points, 1e-9, k, rng).inliers) < 30 for _ in range(runs))
+    predicted = (1 - 30 * 29 / (100 * 99)) ** k
+    assert failures / runs == pytest.approx(predicted, abs=4 * math.sqrt(predicted / runs))
+
+
+def test_adaptive_stopping_draws_what_the_inlier_ratio_requires():
+    rng = np.random.default_rng(6)
+    points = wall_among_outliers(rng, N=20000, inliers=12000)
+    found = ransac_line(points, THRESHOLD, 10_000, rng, confidence=0.99)
+    share = len(found.inliers) / len(points)
+    assert required_iterations(0.99, share, 2) <= found.iterations < 50
+    assert set(range(12000)) <= set(found.inliers)
+
+
+def test_adaptive_stopping_never_exceeds_the_given_iterations():
+    rng = np.random.default_rng(7)
+    found = ransac_line(rng.uniform(-1, 1, (300, 2)), 1e-3, 700, rng, confidence=0.99)
+    assert found.iterations == 700
+
+
+@pytest.mark.parametrize("offset", [0.0, 1e6])
+def test_offsets_and_tiny_thresholds_lose_no_inlier(offset):
+    rng = np.random.default_rng(8)
+    x = np.round(rng.uniform(-5, 5, 200) * 2**20) / 2**20  # exact after adding the offset
+    points = np.column_stack([x, 0.5 * x + 1]) + offset
+    points[100:, 1] += np.round(rng.uniform(1, 3, 100) * 2**20) / 2**20
+    found = ransac_line(points, 1e-7, 100, rng)
+    assert found.inliers.tolist() == list(range(100))
+
+
+def test_more_points_than_a_small_integer_can_count():
+    rng = np.random.default_rng(9)
+    points = np.column_stack([rng.uniform(-5, 5, 70000), np.zeros(70000)])
+    assert len(ransac_line(points, 0.01, 3, rng).inliers) == 70000
+
+
+@pytest.mark.parametrize("spot", [(0.0, 0.0), (0.1, 1e6)])
+def test_identical_points_give_no_model(spot):
+    rng = np.random.default_rng(0)
+    assert ransac_line(np.full((9, 2), spot), THRESHOLD, 10, rng) is None
+    assert ransac_plane(np.full((9, 3), (*spot, 1.0)), THRESHOLD, 10, rng) is None
+
+
+def test_points_on_one_line_give_no_plane():
+    points = np.outer(np.arange(10.0), [1.0, 2.0, 4.0])
+    assert ransac_plane(points, THRESHOLD, 10, np.random.default_rng(0)) is None
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"points": np.zeros((1, 2))}, "A sample needs 2 points"),
+        ({"points": np.zeros((5, 3))}, r"\(N, 2\) array"),
+        ({"points": np.array([[0.0, math.nan], [1, 1], [2, 2]])}, "not finite"),
+        ({"threshold": 0.0}, "threshold > 0"),
+        ({"threshold": math.nan}, "threshold > 0"),
+        ({"iterations": 0}, "iterations >= 1"),
+        ({"confidence": 1.0}, "between 0 and 1"),
+    ],
+)
+def test_bad_input_is_explained(change, message):
+    arguments = {"points": np.eye(2), "threshold": 0.1, "iterations": 5, "confidence": None}
+    with pytest.raises(ValueError, match=message):
+        ransac_line(**{**arguments, **change}, rng=np.random.default_rng(0))
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_a_fitted_plane_is_the_one_that_svd_finds(seed):
+    rng = np.random.default_rng(seed)
+    points = rng.normal(size=(30, 3)) @ rng.normal(size=(3, 3)) + rng.normal(size=3) * 5
+    center = points.mean(axis=0)
+    normal = np.linalg.svd(points - center)[2][2]
+    normal *= np.sign(normal @ center)
+    plane = fit_plane(points)
+    assert plane.normal == pytest.approx(tuple(normal), abs=1e-9)
+    assert plane.r == pytest.approx(normal @ center)
+
+
+def test_a_plane_worked_by_hand():
+    points = np.array([[3.0, 0, 0], [0, 1.5, 0], [0, 0, 1.5], [1, 0.5, 0.5]])
+    plane = fit_plane(points)
+    assert plane.normal == pytest.approx((1 / 3, 2 / 3, 2 / 3))
+    assert plane.r == pytest.approx(1.0)
+    assert plane_distances(np.array([[4.0, 1, 0]]), plane) == pytest.approx([1.0])
+    assert plane_distances(points + 2e6, Plane(plane.normal, plane.r)) == pytest.approx(10e6 / 3)
+
+
+@pytest.mark.parametrize(
+    ("points", "message"),
+    [
+        (np.zeros((2, 3)), r"\(N, 3\) array"),
+        (np.full((4, 3), math.inf), "not finite"),
+        (np.outer(np.arange(5.0), [1, 2, 3]) + 1e6, "No plane"),
+        (np.vstack([np.eye(3), -np.eye(3)]), "No plane"),
+    ],
+)
+def test_a_cloud_without_a_plane_is_reported(points, message):
+    with pytest.raises(ValueError, match=message):
+        fit_plane(points)
