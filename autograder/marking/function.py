@@ -10,6 +10,7 @@ import numpy as np
 
 from autograder.answers import FunctionAlternative, FunctionAnswer
 from autograder.marking.mark import Mark, Part, status_for
+from autograder.marking.shown import shown_outcome
 from autograder.questions import Function
 from autograder.sandbox.evaluate import REASONS
 
@@ -51,7 +52,8 @@ def mark_function(
         Part(kind, all(verdicts[i] for i in indices), _what_happened(outcomes, indices))
         for kind, indices in kinds.items()
     )
-    known: dict[str, Any] = {"parts": parts, "explanation": answer.explanation}
+    shown = shown_outcome(expected.cases, outcomes)
+    known: dict[str, Any] = {"parts": parts, "explanation": answer.explanation, "shown": shown}
     if all(verdicts):
         feedback = f"Right on all {len(kinds)} kinds of input."
         return Mark(question.id, "right", 1.0, question.points, feedback, "right", **known)

@@ -67,7 +67,7 @@ def _half_size(path: Path) -> np.ndarray:
 
 def _match(left: np.ndarray, right: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Pixels (N, 2) of the features that both photographs show."""
-    sift = cv2.SIFT_create(contrastThreshold=0.02)
+    sift = cv2.SIFT.create(contrastThreshold=0.02)
     (found_left, words_left), (found_right, words_right) = (
         sift.detectAndCompute(cv2.cvtColor(image, cv2.COLOR_BGR2GRAY), None)
         for image in (left, right)
