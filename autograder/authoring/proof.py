@@ -211,6 +211,10 @@ def _secrets(answer: a.Answer) -> Iterator[str]:
         yield alternative.feedback
         if isinstance(alternative, a.ExpressionAlternative) and not alternative.is_mistake:
             yield alternative.expression
+    if isinstance(answer, a.TrueFalseAnswer):
+        for statement in answer.statements:
+            yield statement.explanation
+            yield statement.misconception
 
 
 def _printed(question: q.Number, value: float) -> str:
