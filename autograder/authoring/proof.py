@@ -185,7 +185,7 @@ def _leaks(course: Course, student_notebooks: list[str]) -> Iterator[str]:
     }
     for text in student_notebooks:
         cells = json.loads(text)["cells"]
-        texts[f"the notebook “{cells[0]['source'][0].strip('# ')}”"] = "\n".join(
+        texts[f"the notebook “{cells[0]['source'][0].strip('# \n')}”"] = "\n".join(
             "".join(cell["source"]) for cell in cells
         )
     for id, answer in course.key.items():
