@@ -50,8 +50,8 @@ range, and on one that is cropped to the echoes of each scan, a trick that costs
 
 The hard simulation has curved walls, pillars, people's legs, bushes, mixed pixels, lost echoes and
 15 mm of noise; 1000 scenes that no setting was tuned on. True positives: visible straight walls
-that were found, to 5 cm and 6 degrees. False positives: segments that lie on no straight wall, or on a stretch that a
-longer segment covers already.
+that were found, to 5 cm and 6 degrees. False positives: segments that lie on no straight wall, or
+on a stretch that a longer segment covers already.
 """
 
 

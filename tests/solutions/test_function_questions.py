@@ -144,6 +144,20 @@ def test_rubbish_is_never_the_same_line(rubbish):
     assert not line_cases.same_line(case, (1.0, 0.5), rubbish)
 
 
+@pytest.mark.parametrize(
+    "rubbish",
+    [None, "ab", ((1.0, 2.0),), ((math.nan, 0.0), [0]), ((1.0, 2.0), "x"), ((1, 2), [[0], [0, 1]])],
+)
+def test_rubbish_is_never_the_same_consensus(rubbish):
+    case = {"args": [np.eye(2), 0.1, 5, {"rng": 0}]}
+    assert not ransac_cases.same_consensus(case, ((1.0, 2.0), np.array([0, 1])), rubbish)
+
+
+@pytest.mark.parametrize("rubbish", [None, "ab", 1.0, np.eye(3), np.full((2, 2), math.nan), {}])
+def test_rubbish_is_never_the_same_covariance(rubbish):
+    assert not line_cases.same_covariance({"args": []}, np.eye(2), rubbish)
+
+
 def test_only_what_rounding_decides_is_forgiven():
     case = {"args": [np.array([[-2.0, 1.0], [-2.0, 2.0]])]}
     assert line_cases.same_line(case, (2.0, math.pi), (2.0, -math.pi + 1e-12))
