@@ -16,10 +16,13 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from autograder.sandbox.evaluate import describe, evaluate
 
 MAX_SAVED = 2**20
 _DESCRIBE_SECONDS = 2.0
+_PLAIN = (bool, complex, float, int, str, type(None), type(...))
 _CAN_INTERRUPT = hasattr(signal, "setitimer")
 
 
@@ -78,6 +81,11 @@ class Notebook:
         if name not in self._shell.user_ns:
             return {"state": "unusable", "reason": "missing"}
         return evaluate(self._shell.user_ns[name], probe)
+
+    def holds_plain_value(self, name: str) -> bool:
+        """Whether reading the response runs no code of the student: it is a built-in number."""
+        kind = type(self._shell.user_ns.get(name))
+        return kind in _PLAIN or kind in (np.float64, np.int64)
 
     def forget(self) -> None:
         """Remove what cells have defined."""
