@@ -26,7 +26,6 @@ from autograder.sandbox import wire
 from autograder.sandbox.channel import Channel
 from autograder.sandbox.notebook import Notebook
 
-
 _ANSWERED = 77  # exit status of a fork that has sent its answer
 
 
