@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import atexit
 import os
 import tempfile
 import time
@@ -82,7 +83,7 @@ class Tier:
     text: str = ""
     results: dict[str, bool] = field(default_factory=dict)
     problem: str = ""
-    _started: Host | None = None
+    _started: list[Host] = field(default_factory=list)
 
     def start(self) -> Host:
         """A new host of this kind.
@@ -93,31 +94,30 @@ class Tier:
         return Host(self.course.root, self.course.settings, self.with_namespaces)
 
     def take_started(self) -> Host | None:
-        """The host on which the trial was held, once."""
-        host, self._started = self._started, None
-        return host
+        """A host that was started for the trial and has no use yet."""
+        return self._started.pop() if self._started else None
 
-    def try_out(self) -> bool:
-        """Start a host and let student code try to get out of it."""
+    def try_out(self, slots: int = 1) -> bool:
+        """Start as many hosts as will be needed and let student code try to get out of one."""
         try:
-            host = self.start()
-        except (HostError, OSError) as error:
-            self.problem = str(error)
-            return False
-        try:
-            self.results = _try_to_get_out(host, self.course)
+            for _ in range(slots):  # all at once, because starting is mostly importing
+                self._started.append(self.start())
+            self.results = _try_to_get_out(self._started[-1], self.course)
         except (HostError, OSError, EOFError, Late, WireError) as error:
             self.problem = str(error) or "the trial did not end"
-            host.stop()
-            return False
         failed = [_TRIALS[name][1] for name, held in self.results.items() if not held]
         if failed:
             self.problem = "it does not hold that " + " and that ".join(failed)
-            host.stop()
+        if self.problem:
+            self.stop_unused()
             return False
         self.text = describe(self.with_namespaces)
-        self._started = host
         return True
+
+    def stop_unused(self) -> None:
+        """End the hosts that nobody has taken."""
+        while self._started:
+            self._started.pop().stop()
 
 
 def describe(with_namespaces: bool) -> str:
@@ -148,8 +148,10 @@ _best: dict[tuple[Path, str], Tier] = {}
 _lock = Lock()
 
 
-def best_tier(course: Course, wanted: str = "auto") -> Tier:
+def best_tier(course: Course, wanted: str = "auto", slots: int = 1) -> Tier:
     """The best kind that works here, or the one that is wanted; tried once a process and course.
+
+    At the trial so many hosts are started as there will be ``slots``.
 
     Raises:
         SandboxError: if none works; the sentence says why and what to do.
@@ -157,12 +159,13 @@ def best_tier(course: Course, wanted: str = "auto") -> Tier:
     with _lock:
         tried = _best.get((course.root, wanted))
         if tried is not None:
-            return Tier(tried.name, tried.with_namespaces, course, tried.text, tried.results)
+            return tried
         problems = []
         for tier in tiers(course):
             if wanted not in ("auto", tier.name):
                 continue
-            if tier.try_out():
+            if tier.try_out(slots):
+                atexit.register(tier.stop_unused)
                 _best[course.root, wanted] = tier
                 return tier
             problems.append(f"{tier.name}: {tier.problem.rstrip('.')}")
