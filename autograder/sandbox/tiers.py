@@ -56,7 +56,7 @@ def work():
 works = attempt(work)
 """
 # name: (what must have come out, what it means)
-_TRIALS = {
+TRIALS = {
     "read_a_file": (("FileNotFoundError", "PermissionError"), "no file outside can be read"),
     "write_a_file": (
         ("FileNotFoundError", "PermissionError", "OSError"),
@@ -105,7 +105,7 @@ class Tier:
             self.results = _try_to_get_out(self._started[-1], self.course)
         except (HostError, OSError, EOFError, Late, WireError) as error:
             self.problem = str(error) or "the trial did not end"
-        failed = [_TRIALS[name][1] for name, held in self.results.items() if not held]
+        failed = [TRIALS[name][1] for name, held in self.results.items() if not held]
         if failed:
             self.problem = "it does not hold that " + " and that ".join(failed)
         if self.problem:
@@ -171,12 +171,13 @@ def best_tier(course: Course, wanted: str = "auto", slots: int = 1) -> Tier:
             problems.append(f"{tier.name}: {tier.problem.rstrip('.')}")
     raise SandboxError(
         f"Submissions cannot be kept in on this machine ({'; '.join(problems)}). "
-        f"{_advice()} `autograder doctor` shows each attempt; --no-sandbox grades with your own "
+        f"{advice()} `autograder doctor` shows each attempt; --no-sandbox grades with your own "
         "rights, only for submissions that you trust."
     )
 
 
-def _advice() -> str:
+def advice() -> str:
+    """What to change on this machine so that bubblewrap works."""
     if bubblewrap.find_bubblewrap() is None:
         return "Install bubblewrap (apt install bubblewrap)."
     return (
@@ -210,7 +211,7 @@ def _try_to_get_out(host: Host, course: Course) -> dict[str, bool]:
                 "do": "run",
                 "nonce": "trial",
                 "cells": [cell],
-                "names": list(_TRIALS),
+                "names": list(TRIALS),
                 "skip": {},
                 "cell_seconds": _TRIAL_SECONDS,
                 "seconds": _TRIAL_SECONDS,
@@ -223,6 +224,6 @@ def _try_to_get_out(host: Host, course: Course) -> dict[str, bool]:
         host.close()
         understood = answer["reply"]["understood"]
         untouched = Path(canary.name).read_text() == "secret"
-    results = {name: understood.get(name) in expected for name, (expected, _) in _TRIALS.items()}
+    results = {name: understood.get(name) in expected for name, (expected, _) in TRIALS.items()}
     results["write_a_file"] = results["write_a_file"] and untouched
     return results
