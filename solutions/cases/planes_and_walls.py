@@ -107,9 +107,7 @@ def _plane(
     return {"name": name, "args": [points, THRESHOLD, 400, {"rng": int(rng.integers(2**31))}]}
 
 
-def _room(
-    rng: np.random.Generator, name: str, counts: tuple[int, ...], clutter: int = 0
-) -> Case:
+def _room(rng: np.random.Generator, name: str, counts: tuple[int, ...], clutter: int = 0) -> Case:
     """Return a case: walls a quarter turn from each other, each with so many points.
 
     The clutter is far from all walls and too irregular for a line of 15 points.
