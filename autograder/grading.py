@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import time
 from collections.abc import Callable, Iterable
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from contextlib import ExitStack
@@ -22,7 +23,8 @@ from autograder.submissions import Contents, Notebook, Submission, Unreadable, r
 class Graded:
     """The marks of one submission, in the order of the course's questions.
 
-    ``status`` is ``graded`` or ``unreadable``; ``notes`` say what was odd about the files.
+    ``status`` is ``graded`` or ``unreadable``; ``notes`` say what was odd about the files;
+    ``seconds`` is how long running and marking took.
     """
 
     submission: Submission
@@ -30,6 +32,7 @@ class Graded:
     fingerprint: str
     marks: tuple[Mark, ...]
     notes: tuple[str, ...] = ()
+    seconds: float = 0.0
 
     @property
     def total(self) -> float:
@@ -60,13 +63,14 @@ def grade_all(
 
         def grade(submission: Submission, contents: Contents) -> Graded:
             slot = idle.get()
+            began = time.monotonic()
             try:
                 marks = grade_contents(contents, marker, slot, questions)
             finally:
                 idle.put(slot)
-            return Graded(
-                submission, "graded", contents.fingerprint, tuple(marks), tuple(contents.notes)
-            )
+            seconds = time.monotonic() - began
+            fingerprint, notes = contents.fingerprint, tuple(contents.notes)
+            return Graded(submission, "graded", fingerprint, tuple(marks), notes, seconds)
 
         names = [chapter.name for chapter in marker.course.chapters]
         tasks: set[Future[Graded]] = set()

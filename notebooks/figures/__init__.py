@@ -1,18 +1,25 @@
 """Every picture of the course. Each function takes data, shows one picture and returns nothing."""
 
 from notebooks.figures.chances import growth, noisy_inliers, runs_that_failed, waiting_times
-from notebooks.figures.consensus import found_line, guesses, hypothesis
+from notebooks.figures.consensus import few_points, found_line, guesses, hypothesis
 from notebooks.figures.cost import cost_over_angle, squared_distances
 from notebooks.figures.fits import fitted_line, one_outlier, scan, scattered_fits, uncertain_line
+from notebooks.figures.mapping import corridor, corridor_walls, walls_of_scan
 from notebooks.figures.polar import polar_line, polar_lines, steep_walls
+from notebooks.figures.space import cloud, largest_planes
 
 __all__ = [
+    "cloud",
+    "corridor",
+    "corridor_walls",
     "cost_over_angle",
+    "few_points",
     "fitted_line",
     "found_line",
     "growth",
     "guesses",
     "hypothesis",
+    "largest_planes",
     "noisy_inliers",
     "one_outlier",
     "polar_line",
@@ -24,4 +31,5 @@ __all__ = [
     "steep_walls",
     "uncertain_line",
     "waiting_times",
+    "walls_of_scan",
 ]

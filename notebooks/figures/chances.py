@@ -3,6 +3,7 @@
 No formula of the chapter stands here, so that a simulation can confirm or refute one.
 """
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -11,11 +12,13 @@ from matplotlib.colors import ListedColormap
 from notebooks.figures.style import (
     BLUE,
     GREEN,
-    GREY,
     LIGHT,
     ORANGE,
     VERMILLION,
+    attempt,
     figure,
+    not_written,
+    note,
     quiet,
     show,
 )
@@ -65,7 +68,7 @@ def waiting_times(
     fig = figure(8, 3.4)
     axes = fig.subplots()
     width = -(-longest // 60)
-    bins = np.arange(0.5, longest + width, width)
+    bins = np.arange(0.5, longest + width, width).tolist()
     axes.hist(first, bins=bins, color=LIGHT, edgecolor="white")
     axes.set_xlabel(f"samples of {size} points drawn until the first without an outlier")
     axes.set_ylabel(f"runs (of {runs})")
@@ -76,7 +79,9 @@ def waiting_times(
         share = float((first <= value).mean())
         axes.hist(first[first <= value], bins=bins, color=BLUE, edgecolor="white")
         axes.axvline(value, color=VERMILLION, linewidth=2)
-        axes.set_title(f"{share:.1%} of the runs had a clean sample within your {value:g} iterations")
+        axes.set_title(
+            f"{share:.1%} of the runs had a clean sample within your {value:g} iterations"
+        )
         text += f" Within {value:g} samples, {share:.1%} of the runs were done."
     else:
         axes.set_title("Where must the line stand, so that 95 % of the runs lie to its left?")
@@ -94,9 +99,7 @@ def runs_that_failed(
     fig = figure(8, 3.2)
     axes = fig.subplots()
     rows = 20
-    axes.imshow(
-        failed.reshape(rows, -1), cmap=ListedColormap([LIGHT, VERMILLION]), vmin=0, vmax=1
-    )
+    axes.imshow(failed.reshape(rows, -1), cmap=ListedColormap([LIGHT, VERMILLION]), vmin=0, vmax=1)
     axes.set_xticks(np.arange(runs // rows + 1) - 0.5, [])
     axes.set_yticks(np.arange(rows + 1) - 0.5, [])
     axes.grid(color="white", linewidth=1)
@@ -109,28 +112,39 @@ def runs_that_failed(
     )
     value = _number(claimed)
     if value is not None:
-        title += f"\nYou computed {value:.3f}."
+        title += (
+            f"\nYou computed {value:.3f} (a simulation of {runs} runs is itself off by 1 % or so)."
+        )
     axes.set_title(title, fontsize=11)
     show(fig, title.replace("\n", " "))
 
 
 def noisy_inliers(
+    N: int,
     w: float,
-    iterations: int,
+    iterations: Any,
     rng: np.random.Generator,
     runs: int = 1000,
-    N: int = 1000,
     sigma: float = 0.005,
     threshold: float = 0.0125,
 ) -> None:
     """Draw how many of the true inliers the best guess keeps, before and after refitting.
 
-    A wall of 1 m, its points `sigma` metres off. Each run gets as many clean samples as luck
-    allows in so many iterations; the model of each is the line through two noisy points.
+    A wall of 1 m, its points `sigma` metres off; `iterations` is the student's number. Each run
+    gets as many clean samples as luck allows in so many iterations; the model of each is the
+    line through two noisy points.
     """
+    draws = _number(iterations)
+    if draws is None:
+        fig = figure(8, 1.5)
+        axes = fig.subplots()
+        axes.set_axis_off()
+        note(axes, "This simulation needs your number of iterations from Q3.2.1.")
+        show(fig, "This simulation needs the number of iterations from Q3.2.1.")
+        return
     inliers = round(N * w)
     raw, refitted = [], []
-    for clean in _clean(runs, iterations, N, inliers, 2, rng).sum(axis=1):
+    for clean in _clean(runs, min(int(draws), 10_000), N, inliers, 2, rng).sum(axis=1):
         if clean == 0:
             continue
         x, y = rng.random(inliers), rng.normal(0, sigma, inliers)
@@ -151,7 +165,9 @@ def noisy_inliers(
         (left, raw, ORANGE, "best guess"),
         (right, refitted, GREEN, "after refitting"),
     ):
-        axes.hist(100 * np.array(kept), bins=np.arange(30, 102, 2.5), color=colour, edgecolor="white")
+        axes.hist(
+            100 * np.array(kept), bins=np.arange(30, 102, 2.5), color=colour, edgecolor="white"
+        )
         axes.axvline(90, color="black", linestyle=":")
         share = np.count_nonzero(np.array(kept) >= 0.9) / runs
         axes.set_title(f"{name}: {share:.1%} of the runs\nkeep 90 % of the inliers or more")
@@ -166,17 +182,24 @@ def noisy_inliers(
     )
 
 
-def growth(counts: dict[str, tuple[np.ndarray, np.ndarray]]) -> None:
-    """Draw numbers of iterations over the share of inliers, one curve for each kind of model."""
+def growth(required_iterations: Callable[..., Any], sizes: dict[str, int], p: float = 0.95) -> None:
+    """Draw the student's numbers of iterations over the share of inliers, for each sample size."""
     fig = figure(8, 3.8)
     axes = fig.subplots()
-    for (name, (ratios, numbers)), style, colour in zip(
-        counts.items(), ("-", "--", ":", "-."), (BLUE, VERMILLION, GREEN, GREY), strict=False
+    ratios = np.linspace(0.1, 0.95, 86)
+    for (name, size), style, colour in zip(
+        sizes.items(), ("-", "--", ":"), (BLUE, VERMILLION, GREEN), strict=False
     ):
-        axes.semilogy(100 * ratios, numbers, style, color=colour, linewidth=2.5, label=name)
+        numbers = [attempt(required_iterations, p, float(ratio), size) for ratio in ratios]
+        if None in numbers:
+            note(axes, not_written(required_iterations))
+            break
+        label = f"{name} (sample of {size})"
+        axes.semilogy(100 * ratios, numbers, style, color=colour, linewidth=2.5, label=label)
+    else:
+        axes.legend()
     axes.set_xlabel("share of inliers w [%]")
-    axes.set_ylabel("iterations")
+    axes.set_ylabel(f"iterations for p = {p}")
     axes.grid(color=LIGHT, linewidth=0.5)
-    axes.legend()
     quiet(axes)
-    show(fig, f"Iterations needed over the share of inliers, for {', '.join(counts)}.")
+    show(fig, f"Iterations needed over the share of inliers, for {', '.join(sizes)}.")

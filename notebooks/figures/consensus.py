@@ -56,6 +56,19 @@ def _frame(axes: Axes, points: np.ndarray, margin: float = 0.4) -> None:
     axes.set_ylim(low[1], high[1])
 
 
+def few_points() -> np.ndarray:
+    """Return the 26 points of Figure 3: 16 along the line r = 2, alpha = 115°, 10 elsewhere."""
+    rng = np.random.default_rng(3)
+    alpha = np.radians(115)
+    normal = np.array([np.cos(alpha), np.sin(alpha)])
+    along = np.array([normal[1], -normal[0]])
+    positions = np.sort(rng.uniform(0, 6, 16))
+    wall = np.outer(2 + rng.uniform(-0.25, 0.25, 16), normal) + np.outer(positions, along)
+    others = rng.uniform([-1, 0], [6, 6], (200, 2))
+    others = others[np.abs(others @ normal - 2) > 0.5][:10]
+    return np.vstack([wall, others])
+
+
 def hypothesis(points: np.ndarray, line: Any, threshold: float) -> None:
     """Draw Figure 3: a line (r, alpha), its band, and the points that agree with it or do not."""
     fig = figure(7, 4.6)
@@ -70,7 +83,7 @@ def hypothesis(points: np.ndarray, line: Any, threshold: float) -> None:
     axes.legend(loc="upper left", bbox_to_anchor=(1, 1), frameon=False)
     show(
         fig,
-        f"A line through a cloud of {len(points)} points with a band of {threshold} m on both sides. "
+        f"A line through {len(points)} points with a band of {threshold} m on both sides. "
         f"{count} points lie in the band (inliers), {len(points) - count} outside (outliers).",
     )
 
@@ -104,7 +117,7 @@ def guesses(points: np.ndarray, threshold: float, rng: np.random.Generator) -> N
 
 
 def found_line(
-    points: np.ndarray, threshold: float, ransac_line: Callable[..., Any], iterations: int
+    points: np.ndarray, ransac_line: Callable[..., Any], threshold: float, iterations: int
 ) -> None:
     """Draw the points and the line and inliers that the student's ransac_line finds."""
     fig = figure(7, 4.6)

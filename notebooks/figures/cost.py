@@ -32,7 +32,9 @@ def squared_distances(points: np.ndarray, line: Any) -> None:
     along = np.array([-normal[1], normal[0]])
     fig = figure(6.4, 4.4)
     axes = fig.subplots()
-    plan(axes, f"r = {r:.2f} m, α = {np.degrees(alpha):.0f}°:  S = {_cost(points, r, alpha):.2f} m²")
+    plan(
+        axes, f"r = {r:.2f} m, α = {np.degrees(alpha):.0f}°:  S = {_cost(points, r, alpha):.2f} m²"
+    )
     axes.plot(*points.T, "o", color=BLUE, markersize=6, zorder=3)
     axes.plot(0, 0, "k+", markersize=10)
     axes.set_xlim(-0.5, 5.5)

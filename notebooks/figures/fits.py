@@ -161,7 +161,9 @@ def scattered_fits(
     scale = np.diag([1000, 180 / np.pi])
     values, vectors = np.linalg.eigh(scale @ np.asarray(covariance, dtype=float) @ scale)
     turn = np.linspace(0, 2 * np.pi, 200)
-    circle = np.stack([np.cos(turn), np.sin(turn)]) * np.sqrt(np.maximum(values, 0) * 5.991)[:, None]
+    circle = (
+        np.stack([np.cos(turn), np.sin(turn)]) * np.sqrt(np.maximum(values, 0) * 5.991)[:, None]
+    )
     axes.plot(*(vectors @ circle), color=VERMILLION, linewidth=2, label="95 % by your formula")
     axes.legend(loc="upper left", bbox_to_anchor=(1, 1), frameon=False)
     inside = (((change @ vectors) ** 2 / np.maximum(values, 1e-12)).sum(axis=1) <= 5.991).mean()

@@ -61,10 +61,12 @@ def _polar(axes: Axes, r: float, alpha: float, label: bool = True) -> None:
         Arc((0, 0), 2 * radius, 2 * radius, theta1=low, theta2=high, color=GREEN, linewidth=2)
     )
     if label:
-        middle = 1.28 * radius * np.array([np.cos(alpha / 2), np.sin(alpha / 2)])
-        axes.text(*middle, "α", color=GREEN, fontsize=15, ha="center", va="center")
+        x, y = 1.28 * radius * np.cos(alpha / 2), 1.28 * radius * np.sin(alpha / 2)
+        axes.text(x, y, "α", color=GREEN, size=15, ha="center", va="center")
         beside = 0.62 * foot + 0.17 * np.array([-np.sin(alpha), np.cos(alpha)])
-        axes.text(*beside, "r", color=VERMILLION, fontsize=15, ha="center", va="center")
+        axes.text(
+            beside[0], beside[1], "r", color=VERMILLION, fontsize=15, ha="center", va="center"
+        )
 
 
 def polar_line(r: float, alpha: float) -> None:
@@ -84,12 +86,15 @@ def polar_line(r: float, alpha: float) -> None:
     axes.plot(*square.T, color="black", linewidth=1)
     point = corner + 1.05 * along
     axes.plot(*point, "o", color=BLUE, markersize=8)
-    axes.annotate("(x, y)", point, xytext=(8, 6), textcoords="offset points", fontsize=12)
+    axes.annotate(
+        "(x, y)", (point[0], point[1]), xytext=(8, 6), textcoords="offset points", fontsize=12
+    )
     axes.set_title("x cos α + y sin α = r")
     show(
         fig,
-        f"A line in the plane. A segment of length r = {r:.2f} m goes from the origin to the line and "
-        f"meets it at a right angle; it makes the angle α = {np.degrees(alpha):.0f}° with the x-axis.",
+        f"A line in the plane. A segment of length r = {r:.2f} m goes from the origin to the line "
+        "and meets it at a right angle; it makes the angle "
+        f"α = {np.degrees(alpha):.0f}° with the x-axis.",
     )
 
 

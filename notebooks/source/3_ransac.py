@@ -1,23 +1,65 @@
 # %% [markdown]
 # # 3 RANSAC
 #
-# Chapter 2 found the best line through *all* the points. But when the robot looks down the corridor,
-# most beams do not hit the wall it looks for: they hit another wall, a door, a person, a chair.
-# Points that belong to the line are its **inliers**, all others its **outliers**. Least squares
-# listens to the outliers most of all.
+# Chapter 2 found the best line through *all* the points it was given, and somebody had picked out the points of one
+# wall beforehand. A robot has to do that itself. Most of its beams do not hit the wall it looks for: they hit
+# another wall, a door, a person, a chair. Points that belong to the line are its **inliers**, all others its
+# **outliers**.
 #
-# If we knew the inliers, fitting would be easy. If we knew the line, finding the inliers would be easy.
-# We know neither. RANSAC, *random sample consensus*, gets out of the circle by guessing.
+# At the end of this chapter your program will find the walls and planes among mostly wrong measurements, you will
+# have computed how long that takes, and a map of a whole building will have come out of it.
 
 # %%
 import math
+from typing import NamedTuple
 
+import cv2
 import numpy as np
 import sympy as sp
 
+import data
 from autograder import ask, check, progress, submit
+from notebooks import figures
 
 # %% [markdown]
+# From chapter 2 we need a line, its fit and the distances from it. The fit here is OpenCV's, so that this chapter does
+# not depend on the last one; it finds the same line as yours.
+
+# %%
+class Line(NamedTuple):
+    """A line x cos(alpha) + y sin(alpha) = r."""
+
+    r: float  # m, distance from the origin, never negative
+    alpha: float  # rad, direction of the normal, in (-pi, pi]
+
+
+def fit_line(points):
+    """Return the line of least squares through (N, 2) points; two points are enough."""
+    dx, dy, x, y = cv2.fitLine(np.float32(points), cv2.DIST_L2, 0, 0.01, 0.01).ravel().tolist()
+    r = y * dx - x * dy
+    return Line(r, math.atan2(dx, -dy)) if r >= 0 else Line(-r, math.atan2(-dx, dy))
+
+
+def distances(points, line):
+    """Return the N signed distances of (N, 2) points from a line, in metres."""
+    return points @ [math.cos(line.alpha), math.sin(line.alpha)] - line.r
+
+
+# %% [markdown]
+# Here is the scan of chapter 2 again, with *all* its points, and the line of least squares through them. The band around
+# it is 10 cm wide on both sides.
+
+# %%
+scans = data.killian_court()
+ranges, angles = scans.ranges[161], scans.angles
+points = np.column_stack([ranges * np.cos(angles), ranges * np.sin(angles)])
+figures.hypothesis(points, fit_line(points), threshold=0.1)
+
+# %% [markdown]
+# The line is a compromise between three walls and belongs to none of them. If we knew the inliers of one wall, fitting
+# would be easy. If we knew its line, finding the inliers would be easy. We know neither. RANSAC, *random sample
+# consensus*, gets out of this circle by guessing.
+#
 # ## Guess, count, repeat
 #
 # 1. **Sample**: draw at random the fewest points that define the model. The smaller the sample, the
@@ -28,9 +70,24 @@ from autograder import ask, check, progress, submit
 # 4. Repeat, and keep the model with the largest consensus set.
 # 5. **Refit**: at the end, fit the model again by least squares, to its consensus set only.
 #
+# The picture shows one model and its consensus set, among 26 points. In the title stands what counts:
+
+# %%
+few = figures.few_points()
+figures.hypothesis(few, Line(r=2.0, alpha=math.radians(115)), threshold=0.3)
+
+# %% [markdown]
+# And here are six guesses on the same points. The two points of each sample are large and orange. **Before you look at
+# the numbers**: which pictures hold a sample without any outlier?
+
+# %% demo=true
+figures.guesses(few, threshold=0.3, rng=np.random.default_rng(5))
+
+# %% [markdown]
 # A model made from a sample with an outlier, an **outlier model**, lies somewhere across the points, and
-# few of them happen to agree with it. A model from inliers only gets the votes of all the others. Lies
-# differ, the truth agrees with itself.
+# few of them happen to agree with it. A model from inliers only gets the votes of most of the others. Errors
+# disagree with each other; the truth agrees with itself. (Look at the first and the last picture of
+# the second row for what can go wrong even so. We will come back to that.)
 #
 # RANSAC needs to know two things about the model: how to make one from a few points, and how far
 # a point is from it.
@@ -51,15 +108,32 @@ p = 0.95  # the probability of success that we want
 # When a point is drawn, it is an inlier with probability $w$. Strictly speaking, that changes a little once
 # a point was taken out: of the 999 that remain, 199 are inliers. The cloud is large, so we neglect that.
 #
-# Make a guess before you compute: with four outliers for every inlier, how many lines must be tried to
-# be 95 % sure that one was made from inliers only? A dozen? A hundred? Ten thousand?
+# **Make a guess before you compute**: with four outliers for every inlier, how many samples must be drawn to
+# be 95 % sure that one of them holds inliers only? A dozen? A hundred? Ten thousand? Change the number; the
+# simulation draws samples in 10,000 runs and counts how many each run needed.
+
+# %% demo=true
+my_guess = 12
+figures.waiting_times(N, w, 2, my_guess, np.random.default_rng(0))
+
+# %% [markdown]
+# You could go on trying until the blue part is 95 %. It is faster to compute it. A coin as an example: it falls on heads with
+# probability 0.5, so $k$ tosses are all tails with probability $0.5^k$. To see heads at least once with probability
+# 0.99 we need $0.5^k \le 0.01$, so $k \ge \log 0.01 / \log 0.5 = 6.64$: seven tosses.
 
 # %% exercise="Q3.2.1"
+
+# %% [markdown]
+# The simulation with your number. It should come out close to 95 %:
+
+# %% demo=true
+figures.waiting_times(N, w, 2, iterations, np.random.default_rng(0))
 
 # %% exercise="Q3.2.2"
 
 # %% [markdown]
-# Compare your last two results. That is the strength of the random sample.
+# Compare your last two results: so few tries, among so many candidates. And the number of iterations does not
+# depend on $N$ at all. A cloud of a million points needs just as many, as long as a fifth of them are inliers.
 #
 # Now a general formula. For the next question `w` becomes a symbol, and then a number again.
 
@@ -73,27 +147,173 @@ w = 0.2
 
 # %% exercise="Q3.2.3b"
 
+# %% [markdown]
+# Each square below is one run of 42 iterations. It is dark if *all* samples of the run held an outlier. Does the share of
+# dark squares fit your number? (It will not be equal: a thousand runs are a sample, too.)
+
+# %% demo=true
+figures.runs_that_failed(N, w, 42, outlier_after_42, np.random.default_rng(0))
+
 # %% exercise="Q3.2.4"
+
+# %% demo=true
+figures.runs_that_failed(N, w, 100, success_after_100, np.random.default_rng(0))
 
 # %% [markdown]
 # ## From lines to planes
 #
-# RANSAC does not care what it fits. A camera pair, or a laser that also turns up and down, measures points
-# in space; floors and walls are planes there.
+# RANSAC does not care what it fits. A pair of cameras, or a laser that also turns up and down, measures points
+# in space; floors and walls are planes there. Everything stays the same but the sample.
 
 # %% exercise="Q3.2.5"
 
+# %% demo=true
+figures.waiting_times(N, w, 3, plane_iterations, np.random.default_rng(0))
+
 # %% [markdown]
+# Did the simulation stay a little *below* 95 %? It draws three *different* points, as a real program does, so the
+# probability of a clean sample is $\frac{200}{1000} \cdot \frac{199}{999} \cdot \frac{198}{998}$, slightly less than
+# $w^3$. The question told you to neglect that, as the exercise sheet does. For lines it makes no difference in the end,
+# for planes it costs a few iterations. Both numbers are accepted.
+#
 # You have now used the same formula several times. Write it as a function, and it is of use for every model
 # there is.
 
 # %% exercise="Q3.3"
 
+# %% [markdown]
+# How the number grows, by your function. The vertical axis is logarithmic: each line of the grid is ten times the one
+# below. (A sample of eight points is what the geometry between two photographs takes.)
+
+# %% demo=true
+figures.growth(required_iterations, {"a line": 2, "a plane": 3, "two photographs": 8})
+
+# %% [markdown]
+# ## What the formula does not promise
+#
+# The formula promises *one sample without an outlier*. Not more. The inliers of such a sample are noisy themselves, and
+# a line through two noisy points that are close together may point anywhere.
+#
+# In the next simulation every run draws as many samples as you computed for a line, 200 points of a wall of one metre
+# are inliers, and each is 5 mm off or so. The threshold is 2.5 times that. How many of the true inliers does the best line
+# of each run keep? **Predict** the share of runs in which it keeps at least 90 %.
+
+# %% demo=true
+figures.noisy_inliers(N, w, iterations, np.random.default_rng(0))
+
+# %% [markdown]
+# On the left are the lines through two points, on the right the same after the last step of RANSAC: a fit by least squares to
+# the consensus set. The refit cannot help those runs that had no clean sample at all, but it repairs nearly all others.
+# That is why step 5 is not a luxury.
+#
+# ## Your RANSAC
+
+# %% exercise="Q3.4"
+
+# %% [markdown]
+# Your function on the scan, the same points as in the first picture of this chapter. Then change the threshold to 0.5 m and
+# to 0.005 m. What goes wrong in each case?
+
+# %% demo=true
+figures.found_line(points, ransac_line, threshold=0.06, iterations=100)
+
+# %% [markdown]
+# ## Planes in space
+#
+# Two photographs of two brick walls and the ground between them were taken from positions 30 cm apart. Points that were
+# found in both can be located in space. The result is a cloud of points, and nothing says which of them belong to which
+# wall:
+
+# %%
+bricks = data.brick_walls()
+figures.cloud(bricks.points, bricks.colors)
+
+# %% [markdown]
+# For planes we need the counterparts of the functions for lines. A plane has a unit normal $\mathbf{n}$ and a distance $r$
+# from the origin, and holds the points with $\mathbf{n} \cdot \mathbf{p} = r$:
+
+# %%
+class Plane(NamedTuple):
+    """A plane normal . p = r."""
+
+    normal: tuple[float, float, float]  # unit vector from the origin towards the plane
+    r: float  # m, distance from the origin, never negative
+
+
+def fit_plane(points):
+    """Return the plane of least squares through (N, 3) points; three points are enough."""
+    center = points.mean(axis=0)
+    normal = np.linalg.svd(points - center, full_matrices=False)[2][-1]
+    normal = normal if normal @ center >= 0 else -normal
+    return Plane(tuple(normal.tolist()), float(normal @ center))
+
+
+def plane_distances(points, plane):
+    """Return the N signed distances of (N, 3) points from a plane, in metres."""
+    return points @ plane.normal - plane.r
+
+
+# %% exercise="Q3.5"
+
+# %% [markdown]
+# The three largest planes of the cloud, by your function, one after the other: the points of each are taken away before it
+# looks for the next. **Before you run it**: if the largest plane holds two fifths of the points, how many iterations would
+# be enough for it?
+
+# %% demo=true
+figures.largest_planes(bricks.points, ransac_plane, threshold=0.02, iterations=300)
+
+# %% [markdown]
+# ## All the walls of a scan
+#
+# Back to the corridor, and to the last missing piece.
+
+# %% exercise="Q3.6"
+
+# %% demo=true
+figures.walls_of_scan(points, find_walls, threshold=0.06, iterations=200, min_points=12)
+
+# %% [markdown]
+# Look closely at the first wall: a few points beyond the gap lie on its line by chance, and RANSAC took them. It looks
+# at points as a heap, without any order. A program that uses the order of the beams would have cut the wall at the gap.
+#
+# ## The map
+#
+# The robot went through the whole building and made 3873 scans. Each is stored with the robot's **pose**: its position
+# and its heading. (The poses come from a program that had recognised places and closed loops, as in chapter 1.)
+# A beam with the angle $\theta$ seen from a robot with the heading $\varphi$ points in the direction $\theta + \varphi$:
+
+# %%
+x, y, heading = scans.poses.T[:, :, np.newaxis]
+seen = np.where(scans.ranges < 30, scans.ranges, np.nan)
+world_x = x + seen * np.cos(heading + scans.angles)
+world_y = y + seen * np.sin(heading + scans.angles)
+
+# %% demo=true
+figures.corridor(world_x, world_y, scans.poses[:, :2])
+
+# %% [markdown]
+# That is a heap of half a million points. Your `find_walls` turns it into a drawing: here it looks for walls in every
+# thirtieth scan, and what it finds is drawn as segments. It takes a few seconds.
+
+# %% demo=true
+figures.corridor_walls(scans, find_walls, every=30, threshold=0.06, iterations=100, min_points=15)
+
+# %% [markdown]
+# A building of more than 200 metres, from random guesses. Where the map has gaps, which scans would you add? Where it has walls
+# too many, what would you ask of a wall before you believe in it?
+
 # %%
 progress()
 
 # %% [markdown]
+# When you have done all three chapters, open a new cell and run `submit()`.
+#
 # ## Further reading
 #
 # - R. Raguram, J.-M. Frahm and M. Pollefeys, *A comparative analysis of RANSAC techniques leading to
-#   adaptive real-time random sample consensus*, ECCV 2008: what to do when time is short.
+#   adaptive real-time random sample consensus*, ECCV 2008: what to do when $w$ is not known and time is short.
+# - M. A. Fischler and R. C. Bolles, *Random sample consensus*, Communications of the ACM 24(6), 1981: where it began, with a
+#   camera that wanted to know where it was.
+# - D. Nister and H. Stewenius (CVPR 2006) and H. Stewenius, S. H. Gunderson and J. Pilet (ECCV 2012), from chapter 1:
+#   RANSAC is how candidates are verified there.
