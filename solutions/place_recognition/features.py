@@ -20,7 +20,7 @@ def extract_features(
 
     `most` limits their number to the strongest; 0 is no limit for SIFT, and 1000 for ORB.
     """
-    detector = cv2.SIFT_create(most) if kind == "sift" else cv2.ORB_create(most or 1000)
+    detector = cv2.SIFT.create(most) if kind == "sift" else cv2.ORB.create(most or 1000)
     grey = image if image.ndim == 2 else cv2.cvtColor(image, cv2.COLOR_RGB2GRAY)
     keypoints, descriptors = detector.detectAndCompute(grey, None)
     if descriptors is None:  # nothing to be seen
