@@ -36,7 +36,7 @@ _CELLS = (
 import numpy as np, sympy as sp, matplotlib.pyplot as plt, cv2
 x, y = sp.symbols("x y", real=True)
 f = sp.sin(x * y)**2 + sp.sqrt(x**2 + 1) / y
-sp.diff(f, x); sp.simplify(sp.sin(x)**2 + sp.cos(x)**2); sp.solve(x**2 - y, x); str(f)
+sp.diff(f, x); sp.simplify((x**2 - 1) / (x - 1)); sp.solve(x**2 - y, x); str(f)
 sp.Sum(x, (y, 1, 3)).doit(); sp.expand((x + y)**2)
 sp.atan2(x, y).subs({x: 1, y: 2}).evalf(); sp.Matrix([[x, 1], [1, y]]).det()
 np.linalg.svd(np.eye(2)); np.linalg.lstsq(np.eye(2), np.ones(2), rcond=None); np.cov(np.eye(2))
