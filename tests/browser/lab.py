@@ -21,7 +21,7 @@ SECONDS = 30.0
 
 
 class Server:
-    """JupyterLab and Notebook 7 on 127.0.0.1, with settings and kernels in a folder of their own."""
+    """JupyterLab and Notebook 7 on 127.0.0.1, with settings and kernels of their own."""
 
     def __init__(self, folder: Path) -> None:
         self.course = folder / "course"
@@ -94,11 +94,12 @@ class Server:
 class Notebook:
     """A notebook in a page of JupyterLab."""
 
-    def __init__(self, page: Page, server: Server, path: str, app: str = "lab/tree") -> None:
+    def __init__(self, page: Page, server: Server, path: str, app: str = "") -> None:
         self.page = page
         self.server = server
         self.path = path
-        self.app = app
+        # A workspace of its own, or JupyterLab would open what was open before.
+        self.app = app or f"lab/workspaces/{secrets.token_hex(4)}/tree"
 
     def open(self) -> Notebook:
         """Open it and wait for its kernel."""
@@ -108,8 +109,10 @@ class Notebook:
 
     def wait_for_kernel(self) -> None:
         """Wait until the kernel is connected and idle."""
-        self._wait("panel.sessionContext.isReady && panel.sessionContext.session?.kernel"
-                   "?.connectionStatus === 'connected' && kernel.status === 'idle'")
+        self._wait(
+            f"panel.context.path === 'notebooks/{self.path}' && panel.sessionContext.isReady"
+            " && kernel.connectionStatus === 'connected' && kernel.status === 'idle'"
+        )
 
     def command(self, name: str) -> None:
         """Run a command of JupyterLab without waiting for what it opens."""
@@ -119,8 +122,10 @@ class Notebook:
         """Run all cells and wait until they are done."""
         self.wait_for_kernel()
         self.command("notebook:run-all-cells")
-        self._wait("cells.every(cell => cell.type !== 'code' || !cell.sharedModel.source.trim()"
-                   " || cell.executionCount !== null) && kernel.status === 'idle'")
+        self._wait(
+            "cells.every(cell => cell.type !== 'code' || !cell.sharedModel.source.trim()"
+            " || cell.executionCount !== null) && kernel.status === 'idle'"
+        )
 
     def run_cell(self, index: int) -> None:
         """Run one cell and wait until it is done."""
@@ -134,13 +139,25 @@ class Notebook:
 
     def index_of(self, source: str) -> int:
         """The index of the first cell whose source contains the text."""
-        return int(self.evaluate(f"cells.findIndex(cell => cell.sharedModel.source.includes({json.dumps(source)}))"))
+        return int(
+            self.evaluate(
+                f"cells.findIndex(cell => cell.sharedModel.source.includes({json.dumps(source)}))"
+            )
+        )
 
     def write(self, index: int, source: str) -> None:
         """Replace the source of a cell."""
         self.page.evaluate(
             f"source => {{ const panel = {_CURRENT}; panel.content.model.cells.get({index})"
             ".sharedModel.setSource(source) }",
+            source,
+        )
+
+    def append(self, source: str) -> None:
+        """Add a cell at the end."""
+        self.page.evaluate(
+            f"source => {{ {_CURRENT}.content.model.sharedModel.addCell"
+            "({cell_type: 'code', source}) }",
             source,
         )
 
@@ -151,6 +168,10 @@ class Notebook:
     def save(self) -> None:
         """Save it and wait until nothing is unsaved."""
         self.command("docmanager:save")
+        self.wait_until_saved()
+
+    def wait_until_saved(self) -> None:
+        """Wait until nothing is unsaved."""
         self._wait("!panel.context.model.dirty", with_kernel=False)
 
     def evaluate(self, expression: str) -> Any:
@@ -177,7 +198,7 @@ class Notebook:
         return found
 
 
-_CURRENT = "window.jupyterapp.shell.currentWidget"
+_CURRENT = "window.jupyterapp?.shell?.currentWidget"
 _NAMES = (
     f"const panel = {_CURRENT}; const kernel = panel?.sessionContext?.session?.kernel;"
     " const cells = panel?.content?.model?.cells ? Array.from(panel.content.model.cells) : [];"
@@ -189,7 +210,9 @@ def _copy_course(target: Path) -> None:
     for name in COURSE:
         source = ROOT / name
         if source.is_dir():
-            ignore = shutil.ignore_patterns("__pycache__", "responses", "submission.zip", "source", ".*")
+            ignore = shutil.ignore_patterns(
+                "__pycache__", "responses", "submission.zip", "source", ".*"
+            )
             shutil.copytree(source, target / name, ignore=ignore)
         elif source.exists():
             shutil.copy(source, target)
