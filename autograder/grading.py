@@ -15,7 +15,7 @@ from autograder.course import Chapter, Course
 from autograder.marker import Marker
 from autograder.marking import Mark, not_attempted, stopped
 from autograder.questions import Order, Question, TrueFalse
-from autograder.sandbox.launcher import Sandbox, Session, Stopped
+from autograder.sandbox.launcher import Isolation, Sandbox, Session, Stopped, open_sandboxes
 from autograder.student.typed import typed_cell
 from autograder.submissions import Contents, Notebook, Submission, Unreadable, read_submission
 
@@ -48,19 +48,21 @@ def grade_all(
     done: Callable[[Graded], None],
     questions: frozenset[str] | None = None,
     known: Callable[[str, str], Graded | None] | None = None,
+    isolation: Isolation = "auto",
 ) -> None:
     """Grade submissions on ``jobs`` sandboxes at once and call ``done`` with each, as it is ready.
 
     ``done`` is called on the calling thread, and so is ``known``, which returns what the work of a
     student with some fingerprint was graded before: it is not run again. Only ``questions`` are
-    marked, if they are given.
+    marked, if they are given. ``isolation`` is as for `Sandbox`.
+
+    Raises:
+        SandboxError: if student code cannot be kept in here.
     """
-    with ExitStack() as stack:
+    # In this order: leaving early ends the sandboxes first, so that no task goes on waiting.
+    with ThreadPoolExecutor(jobs) as pool, ExitStack() as stack:
         idle: SimpleQueue[Sandbox] = SimpleQueue()
-        for _ in range(jobs):
-            # On this thread: a sandbox ends with the thread that started it.
-            idle.put(stack.enter_context(Sandbox(marker.course)))
-        pool = stack.enter_context(ThreadPoolExecutor(jobs))
+        ready: Future[None] | None = None
 
         def grade(submission: Submission, contents: Contents) -> Graded:
             slot = idle.get()
@@ -86,14 +88,21 @@ def grade_all(
                 if before is not None:
                     done(before)
                     continue
+                if ready is None:  # only now is there something to run
+                    ready = pool.submit(marker.prepare, questions)
+                    for slot in open_sandboxes(marker.course, jobs, isolation, marker.seed):
+                        # On this thread: a sandbox ends with the thread that started it.
+                        idle.put(stack.enter_context(slot))
+                    ready.result()
                 tasks.add(pool.submit(grade, submission, contents))
                 if len(tasks) > 2 * jobs:  # so that memory does not grow with the class
                     tasks = _report_finished(tasks, done)
             while tasks:
                 tasks = _report_finished(tasks, done)
-        finally:
+        except BaseException:
             for task in tasks:
                 task.cancel()
+            raise
 
 
 def _report_finished(
@@ -181,12 +190,12 @@ def _grade_chapter(
     with sandbox.session() as session:
         names = [question.name for question in asked if question.name]
         report: dict[str, Any] = {}
-        failure = None
+        failure: Stopped | None = None
         try:
             if cells:
                 report = session.run(cells, names)
         except Stopped as stop:
-            failure = stop.status
+            failure = stop
         # What the student's widgets wrote is the truth; the code's own `respond` and the receipts
         # in the outputs stand in where it is missing.
         responses = {**notebook.receipts, **_dictionary(report.get("responses")), **given}
@@ -201,17 +210,22 @@ def _grade_chapter(
             elif chapter.name not in contents.notebooks and question.id not in typed:
                 marks.append(not_attempted(question, "Its notebook was not handed in."))
             elif failure is not None:
-                marks.append(stopped(question, failure, _NOTEBOOK_STOPPED[failure]))
+                marks.append(stopped(question, failure.status, _notebook_stopped(failure)))
             else:
                 said = str(understood.get(question.name or "", ""))
                 marks.append(_mark_named(question, session, marker, cells, report, said))
         return marks
 
 
-_NOTEBOOK_STOPPED = {
-    "timeout": "Running the notebook took longer than the time limit.",
-    "killed": "The notebook's process ended while it ran: too much memory, a crash, or an exit.",
-}
+def _notebook_stopped(stop: Stopped) -> str:
+    if stop.status == "timeout":
+        return "Running the notebook took longer than the time limit."
+    why = stop.why or "too much memory, a crash, or an exit"
+    return f"The notebook's process ended while it ran: {why}."
+
+
+def _response_stopped(stop: Stopped) -> str:
+    return f"The process that ran it was ended: {stop.why}." if stop.why else ""
 
 
 def _mark_named(
@@ -227,7 +241,7 @@ def _mark_named(
     try:
         response = session.evaluate(question.name, marker.probe(question.id).sent)
     except Stopped as stop:
-        return stopped(question, stop.status)
+        return stopped(question, stop.status, _response_stopped(stop))
     reason = response.get("reason")
     missing = isinstance(reason, str) and reason == "missing"
     if missing and _defining_cell_failed(question.name, cells, report):

@@ -17,6 +17,7 @@ from rich.console import Console
 from autograder.cli import (
     build,
     check,
+    doctor,
     grade,
     note,
     override,
@@ -28,7 +29,7 @@ from autograder.errors import AutograderError, UsageError
 
 __all__ = ["BROKEN", "DONE", "WRONG_USAGE", "main"]
 
-_COMMANDS = (grade, regrade, show, override, note, check, build)
+_COMMANDS = (grade, regrade, show, override, note, check, build, doctor)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

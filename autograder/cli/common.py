@@ -54,6 +54,11 @@ def add_grading(command: argparse.ArgumentParser) -> None:
         "--seed", type=int, metavar="N", help="of the hidden inputs (default: the last run's)"
     )
     command.add_argument(
+        "--no-sandbox",
+        action="store_true",
+        help="run submissions with your own rights, only if you trust them; reports will say so",
+    )
+    command.add_argument(
         "--dry-run", action="store_true", help="show what would change, and write nothing"
     )
     command.add_argument(

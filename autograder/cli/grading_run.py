@@ -19,7 +19,7 @@ from autograder.regrading import Change, changes
 from autograder.reports.machine import change_fields, record_fields
 from autograder.reports.terminal import print_changes, print_table, progress_bar
 from autograder.reports.write import Options, write_reports
-from autograder.sandbox.launcher import Sandbox
+from autograder.sandbox.launcher import NO_SANDBOX, Isolation, isolation_text
 from autograder.submissions import Submission
 
 
@@ -34,7 +34,9 @@ def grade_and_report(
     """Grade, show what changed, and (unless it is a dry run) keep it and write the reports."""
     questions = frozenset(course.question(id).id for id in parsed.question or ()) or None
     before = {record.student: record for record in book.records()}
-    run = _choose_run(parsed, course, book, regrade)
+    isolation: Isolation = "none" if parsed.no_sandbox else "auto"
+    jobs = min(parsed.jobs, len(submissions))
+    run = _choose_run(parsed, course, book, regrade, isolation, jobs)
     marker = Marker(course, run.seed)
     known = None
     if questions is None and not parsed.dry_run:
@@ -50,7 +52,7 @@ def grade_and_report(
                 book.store(entry, run, whole=questions is None)
             progress.advance(task)
 
-        grade_all(submissions, marker, min(parsed.jobs, len(submissions)), done, questions, known)
+        grade_all(submissions, marker, jobs, done, questions, known, isolation)
     changed = changes(before, graded)
     if parsed.dry_run:
         _tell_dry_run(parsed, console, before, changed, len(graded))
@@ -80,8 +82,17 @@ def grade_and_report(
     return DONE
 
 
-def _choose_run(parsed: argparse.Namespace, course: Course, book: Gradebook, regrade: bool) -> Run:
+def _choose_run(
+    parsed: argparse.Namespace,
+    course: Course,
+    book: Gradebook,
+    regrade: bool,
+    isolation: Isolation,
+    jobs: int,
+) -> Run:
     """The last run goes on, unless the key, the seed or the wish to regrade asks for a new one.
+
+    So does grading with the sandbox after a run without it, and the other way round.
 
     A new run draws the same hidden inputs as the last: what changes is then the key's doing.
     """
@@ -91,9 +102,10 @@ def _choose_run(parsed: argparse.Namespace, course: Course, book: Gradebook, reg
         seed = parsed.seed
     if parsed.dry_run:
         return Run(0, course.version, seed)
-    if last and not regrade and last.course_version == course.version and last.seed == seed:
+    same_key = last is not None and (last.course_version, last.seed) == (course.version, seed)
+    if last and same_key and not regrade and (last.isolation == NO_SANDBOX) == parsed.no_sandbox:
         return last
-    return book.begin_run(course.version, seed, Sandbox.isolation)
+    return book.begin_run(course.version, seed, isolation_text(course, isolation, jobs))
 
 
 def _tell_dry_run(
