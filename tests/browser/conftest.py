@@ -8,9 +8,11 @@ from collections.abc import Iterator
 
 import pytest
 from lab import Server
-from playwright.sync_api import Browser, sync_playwright
+from playwright.sync_api import Browser, expect, sync_playwright
 
 NAMES = ("chromium", "chromium-browser", "google-chrome")
+# A machine may be busy with other tests; nothing waits longer than it has to.
+PATIENCE = 45_000  # ms
 MISSING = "no browser: install Debian's package chromium, or name one in AUTOGRADER_BROWSER"
 
 
@@ -34,6 +36,7 @@ def browser() -> Iterator[Browser]:
     flags = ["--disable-dev-shm-usage", "--force-color-profile=srgb"]
     if hasattr(os, "geteuid") and os.geteuid() == 0:
         flags.append("--no-sandbox")
+    expect.set_options(timeout=PATIENCE)
     with sync_playwright() as playwright:
         chromium = playwright.chromium.launch(executable_path=program, args=flags)
         yield chromium

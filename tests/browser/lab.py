@@ -17,7 +17,7 @@ from playwright.sync_api import Locator, Page
 
 ROOT = Path(__file__).parents[2]
 COURSE = ("notebooks", "solutions", "data", "pyproject.toml")
-SECONDS = 30.0
+SECONDS = 60.0
 
 
 class Server:

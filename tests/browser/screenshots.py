@@ -14,7 +14,7 @@ DOCS = ROOT / "docs"
 CELLS = (
     "from autograder import ask, check, progress, submit\n"
     "from notebooks.explorers import explore_polar_line, explore_ransac",
-    'ask("Q1.1")',
+    'ask("Q0.1")',
     'ask("Q1.2")',
     "iterations = ...",
     'check("Q3.2.1", iterations)',
@@ -25,6 +25,45 @@ CELLS = (
     "explore_ransac()",
     "explore_polar_line({points})",
 )
+
+
+# A question of the pictures' own: pictures of the course's would tell its answers.
+QUESTION = """
+title = "The garden"
+
+[[question]]
+id = "Q0.1"
+kind = "true_false"
+title = "Plants"
+prompt = "Four claims about a garden with beds of the area $a = w l$."
+statements = [
+    "A fern has flowers.",
+    "An oak has acorns.",
+    "A bed of width $w = 2$ and length $l = 3$ has the area $a = 6$.",
+    "Moss grows only on the north side of a tree.",
+]
+hints = ["Look under the leaf of a fern: what do you see there?"]
+"""
+ANSWER = """
+["Q0.1"]
+explanation = "Ferns have spores."
+[["Q0.1".statement]]
+truth = false
+explanation = "Ferns are older than flowers."
+misconception = "You may be thinking of a flower bed. Look for seeds on the fern."
+[["Q0.1".statement]]
+truth = true
+explanation = "That is where oaks come from."
+misconception = "Shake one."
+[["Q0.1".statement]]
+truth = true
+explanation = "Two times three."
+misconception = "Multiply width and length."
+[["Q0.1".statement]]
+truth = false
+explanation = "It grows where it is damp."
+misconception = "Walk round a few trees in a damp wood and look at all sides."
+"""
 
 
 def main() -> None:
@@ -48,21 +87,18 @@ def take_all(page: Page, server: Server) -> None:
     rng = np.random.default_rng(3)
     along = rng.uniform(-2, 3, 25)
     wall = np.column_stack([3 - 0.5 * along, 1 + along]) + rng.normal(0, 0.08, (25, 2))
+    (server.course / "notebooks/questions/garden.toml").write_text(QUESTION)
+    (server.course / "solutions/answers/garden.toml").write_text(ANSWER)
     notebook = write_notebook(server, wall.round(2).tolist())
     sheet = Notebook(page, server, notebook.name).open()
     sheet.command("application:toggle-left-area")
     sheet.run_all()
-    statements, cards = sheet.question("Q1.1"), sheet.question("Q1.2")
-    for at in (0, 3, 4, 7):
+    statements, cards = sheet.question("Q0.1"), sheet.question("Q1.2")
+    for at in (0, 2, 4, 6):
         statements.get_by_role("radio").nth(at).click()
     statements.get_by_role("button", name="Check").click()
     statements.get_by_role("button", name="Hint 1").click()
     expect(statements.locator(".ag-hints li")).to_have_count(1)
-    cards.locator(".ag-grip").nth(0).focus()
-    for _ in range(11):
-        page.keyboard.press("Alt+ArrowDown")
-    cards.get_by_role("button", name="Check").click()
-    expect(cards.locator(".ag-verdict")).to_be_visible()
     sheet.question("Q3.2.1").get_by_role("textbox").fill("2 * w * N")
     formula = sheet.question("Q3.2.3a")
     formula.get_by_role("textbox").fill("(1 - w)**2 / sqrt(2)")
@@ -71,6 +107,11 @@ def take_all(page: Page, server: Server) -> None:
     ransac = page.get_by_role("group", name="Explorer: how many iterations RANSAC needs")
     ransac.get_by_role("button", name="Simulate").click()
     line = page.get_by_role("group", name="Explorer: a line in polar form and its cost")
+    # Last, because a card is put down when it loses the focus.
+    cards.locator(".ag-grip").nth(0).focus()
+    for key in ("Space", "ArrowDown", "ArrowDown"):
+        page.keyboard.press(key)
+    expect(cards.locator(".ag-status")).to_have_text("Kept.")
     panel = page.get_by_role("group", name="Submission")
     progress = page.get_by_role("group", name="Progress")
     # The folder of the picture's own course says nothing to a reader.

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import statistics
 from collections.abc import Iterator
@@ -13,7 +14,7 @@ from axe_playwright_python.sync_playwright import Axe
 from filelock import FileLock
 from lab import Notebook, Server
 from nbformat.v4 import new_code_cell, new_notebook
-from playwright.sync_api import Browser, Page, expect
+from playwright.sync_api import Browser, Page, TimeoutError, expect
 
 NAME = "9_place_recognition_and_ransac.ipynb"
 CELLS = [
@@ -45,7 +46,7 @@ def path(server: Server) -> Path:
 @pytest.fixture(scope="module")
 def opened(browser: Browser, server: Server, path: Path) -> Iterator[Notebook]:
     page = browser.new_page(viewport={"width": 1200, "height": 1000})
-    page.set_default_timeout(20_000)
+    page.set_default_timeout(45_000)
     yield Notebook(page, server, NAME).open()
     page.close()
 
@@ -397,11 +398,12 @@ def test_nothing_is_cut_off_in_a_narrow_window_or_at_200_percent(
     sheet.page.set_viewport_size({"width": width, "height": 1000})
     sheet.page.evaluate(f"() => {{ document.body.style.zoom = {zoom}; }}")
     sheet.command("application:toggle-left-area")
-    wider = sheet.page.evaluate(
-        """() => [...document.querySelectorAll('.autograder, .explorer')]
-            .filter((root) => root.scrollWidth > root.clientWidth + 1)
-            .map((root) => root.getAttribute('aria-label'))"""
-    )
+    find_wider = """[...document.querySelectorAll('.autograder, .explorer')]
+        .filter((root) => root.scrollWidth > root.clientWidth + 1)
+        .map((root) => root.getAttribute('aria-label'))"""
+    with contextlib.suppress(TimeoutError):  # the windows' parts find their sizes one by one
+        sheet.page.wait_for_function(f"() => {find_wider}.length === 0", timeout=5_000)
+    wider = sheet.page.evaluate(f"() => {find_wider}")
     sheet.command("application:toggle-left-area")
     sheet.page.evaluate("() => { document.body.style.zoom = 1; }")
     sheet.page.set_viewport_size({"width": 1200, "height": 1000})
