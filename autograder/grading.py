@@ -15,7 +15,7 @@ from autograder.course import Chapter, Course
 from autograder.marker import Marker
 from autograder.marking import Mark, not_attempted, stopped
 from autograder.questions import Order, Question, TrueFalse
-from autograder.sandbox.launcher import Sandbox, Session, Stopped
+from autograder.sandbox.launcher import Isolation, Sandbox, Session, Stopped
 from autograder.submissions import Contents, Notebook, Submission, Unreadable, read_submission
 
 
@@ -47,8 +47,12 @@ def grade_all(
     done: Callable[[Graded], None],
     questions: frozenset[str] | None = None,
     known: Callable[[str, str], Graded | None] | None = None,
+    isolation: Isolation = "auto",
+    began: Callable[[str], None] = lambda isolation: None,
 ) -> None:
     """Grade submissions on ``jobs`` sandboxes at once and call ``done`` with each, as it is ready.
+
+    ``began`` is called first, with what keeps student code in.
 
     ``done`` is called on the calling thread, and so is ``known``, which returns what the work of a
     student with some fingerprint was graded before: it is not run again. Only ``questions`` are
@@ -58,7 +62,9 @@ def grade_all(
         idle: SimpleQueue[Sandbox] = SimpleQueue()
         for _ in range(jobs):
             # On this thread: a sandbox ends with the thread that started it.
-            idle.put(stack.enter_context(Sandbox(marker.course)))
+            sandbox = stack.enter_context(Sandbox(marker.course, isolation))
+            idle.put(sandbox)
+        began(sandbox.isolation)
         pool = stack.enter_context(ThreadPoolExecutor(jobs))
 
         def grade(submission: Submission, contents: Contents) -> Graded:

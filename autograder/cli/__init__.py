@@ -17,10 +17,12 @@ from rich.console import Console
 from autograder.cli import (
     build,
     check,
+    export,
     grade,
     note,
     override,
     regrade,
+    release,
     show,
 )
 from autograder.cli.status import BROKEN, DONE, WRONG_USAGE
@@ -28,7 +30,7 @@ from autograder.errors import AutograderError, UsageError
 
 __all__ = ["BROKEN", "DONE", "WRONG_USAGE", "main"]
 
-_COMMANDS = (grade, regrade, show, override, note, check, build)
+_COMMANDS = (grade, regrade, show, override, note, export, release, check, build)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

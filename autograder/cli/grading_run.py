@@ -5,11 +5,13 @@ from __future__ import annotations
 import argparse
 import secrets
 import time
+from dataclasses import replace
 from functools import partial
 
 from rich.console import Console
 
-from autograder.cli.common import print_json
+from autograder.classlist import handed_in_at
+from autograder.cli.common import find_class_list, print_json
 from autograder.cli.status import DONE
 from autograder.course import Course
 from autograder.gradebook import Gradebook, Record, Run
@@ -17,9 +19,9 @@ from autograder.grading import Graded, grade_all
 from autograder.marker import Marker
 from autograder.regrading import Change, changes
 from autograder.reports.machine import change_fields, record_fields
-from autograder.reports.terminal import print_changes, print_table, progress_bar
+from autograder.reports.terminal import print_changes, print_table, progress_bar, warn
 from autograder.reports.write import Options, write_reports
-from autograder.sandbox.launcher import Sandbox
+from autograder.sandbox.launcher import Isolation
 from autograder.submissions import Submission
 
 
@@ -32,6 +34,7 @@ def grade_and_report(
     regrade: bool,
 ) -> int:
     """Grade, show what changed, and (unless it is a dry run) keep it and write the reports."""
+    find_class_list(parsed, book)  # a broken one is said before anything runs
     questions = frozenset(course.question(id).id for id in parsed.question or ()) or None
     before = {record.student: record for record in book.records()}
     run = _choose_run(parsed, course, book, regrade)
@@ -40,7 +43,7 @@ def grade_and_report(
     if questions is None and not parsed.dry_run:
         known = partial(book.find, run=run, questions=course.questions.keys())
     graded: list[Graded] = []
-    began = time.monotonic()
+    started = time.monotonic()
     with progress_bar() as progress:
         task = progress.add_task("", total=len(submissions))
 
@@ -50,16 +53,35 @@ def grade_and_report(
                 book.store(entry, run, whole=questions is None)
             progress.advance(task)
 
-        grade_all(submissions, marker, min(parsed.jobs, len(submissions)), done, questions, known)
+        def began(isolation: str) -> None:
+            nonlocal run
+            run = replace(run, isolation=isolation)
+            if parsed.no_sandbox:
+                warn("Student code runs with your own rights (--no-sandbox); every report says so.")
+            if not parsed.dry_run:
+                book.note_isolation(run, isolation)
+
+        jobs = min(parsed.jobs, len(submissions))
+        wanted: Isolation = "none" if parsed.no_sandbox else "auto"
+        grade_all(submissions, marker, jobs, done, questions, known, wanted, began)
     changed = changes(before, graded)
     if parsed.dry_run:
         _tell_dry_run(parsed, console, before, changed, len(graded))
         return DONE
-    book.finish_run(run, time.monotonic() - began)
+    book.finish_run(run, time.monotonic() - started)
     if parsed.explanations is not None:
         book.set("explanations", "yes" if parsed.explanations else "no")
     students = {submission.student for submission in submissions}
-    options = Options(parsed.out, parsed.class_list, students)
+    class_list = find_class_list(parsed, book)
+    book.set_lateness(
+        {
+            submission.student: class_list.lateness(
+                submission.student, handed_in_at(submission.path)
+            )
+            for submission in submissions
+        }
+    )
+    options = Options(parsed.out, students)
     written = write_reports(course, book, options, console)
     records = [record for record in book.records() if record.student in students]
     if parsed.json:
@@ -93,7 +115,7 @@ def _choose_run(parsed: argparse.Namespace, course: Course, book: Gradebook, reg
         return Run(0, course.version, seed)
     if last and not regrade and last.course_version == course.version and last.seed == seed:
         return last
-    return book.begin_run(course.version, seed, Sandbox.isolation)
+    return book.begin_run(course.version, seed)
 
 
 def _tell_dry_run(

@@ -81,7 +81,7 @@ class Gradebook:
         )
         return Run(*rows[0]) if rows else None
 
-    def begin_run(self, course_version: str, seed: int, isolation: str) -> Run:
+    def begin_run(self, course_version: str, seed: int, isolation: str = "") -> Run:
         """Note a new run."""
         started = _now()
         with self._transaction() as db:
@@ -91,6 +91,11 @@ class Gradebook:
             )
         assert cursor.lastrowid is not None
         return Run(cursor.lastrowid, course_version, seed, isolation, started)
+
+    def note_isolation(self, run: Run, isolation: str) -> None:
+        """Note what keeps student code in, which is known once the sandboxes have started."""
+        with self._transaction() as db:
+            db.execute("UPDATE run SET isolation = ? WHERE id = ?", (isolation, run.id))
 
     def finish_run(self, run: Run, seconds: float) -> None:
         """Note that everything of a run was graded; a run that was resumed adds up."""
@@ -209,7 +214,7 @@ class Gradebook:
             )
             for student, path, fingerprint, status, odd, seconds, run, seed, *late in self._rows(
                 "SELECT student, path, fingerprint, status, notes, submission.seconds, run, seed, "
-                "handed_in, late_days, late_percent "
+                "handed_in, late_days, late_percent, isolation "
                 "FROM submission JOIN run ON run.id = submission.run ORDER BY student"
             )
         ]

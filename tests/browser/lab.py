@@ -108,8 +108,10 @@ class Notebook:
 
     def wait_for_kernel(self) -> None:
         """Wait until the kernel is connected and idle."""
-        self._wait("panel.sessionContext.isReady && panel.sessionContext.session?.kernel"
-                   "?.connectionStatus === 'connected' && kernel.status === 'idle'")
+        self._wait(
+            "panel.sessionContext.isReady && panel.sessionContext.session?.kernel"
+            "?.connectionStatus === 'connected' && kernel.status === 'idle'"
+        )
 
     def command(self, name: str) -> None:
         """Run a command of JupyterLab without waiting for what it opens."""
@@ -119,8 +121,10 @@ class Notebook:
         """Run all cells and wait until they are done."""
         self.wait_for_kernel()
         self.command("notebook:run-all-cells")
-        self._wait("cells.every(cell => cell.type !== 'code' || !cell.sharedModel.source.trim()"
-                   " || cell.executionCount !== null) && kernel.status === 'idle'")
+        self._wait(
+            "cells.every(cell => cell.type !== 'code' || !cell.sharedModel.source.trim()"
+            " || cell.executionCount !== null) && kernel.status === 'idle'"
+        )
 
     def run_cell(self, index: int) -> None:
         """Run one cell and wait until it is done."""
@@ -134,7 +138,11 @@ class Notebook:
 
     def index_of(self, source: str) -> int:
         """The index of the first cell whose source contains the text."""
-        return int(self.evaluate(f"cells.findIndex(cell => cell.sharedModel.source.includes({json.dumps(source)}))"))
+        return int(
+            self.evaluate(
+                f"cells.findIndex(cell => cell.sharedModel.source.includes({json.dumps(source)}))"
+            )
+        )
 
     def write(self, index: int, source: str) -> None:
         """Replace the source of a cell."""
@@ -189,7 +197,9 @@ def _copy_course(target: Path) -> None:
     for name in COURSE:
         source = ROOT / name
         if source.is_dir():
-            ignore = shutil.ignore_patterns("__pycache__", "responses", "submission.zip", "source", ".*")
+            ignore = shutil.ignore_patterns(
+                "__pycache__", "responses", "submission.zip", "source", ".*"
+            )
             shutil.copytree(source, target / name, ignore=ignore)
         elif source.exists():
             shutil.copy(source, target)
