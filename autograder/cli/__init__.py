@@ -17,6 +17,7 @@ from rich.console import Console
 from autograder.cli import (
     build,
     check,
+    doctor,
     export,
     grade,
     note,
@@ -24,13 +25,18 @@ from autograder.cli import (
     regrade,
     release,
     show,
+    similar,
 )
 from autograder.cli.status import BROKEN, DONE, WRONG_USAGE
 from autograder.errors import AutograderError, UsageError
 
 __all__ = ["BROKEN", "DONE", "WRONG_USAGE", "main"]
 
-_COMMANDS = (grade, regrade, show, override, note, export, release, check, build)
+_COMMANDS = (
+    *(grade, regrade, show, override, note),
+    *(export, similar, release),
+    *(check, build, doctor),
+)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

@@ -58,17 +58,17 @@ def add_grading(command: argparse.ArgumentParser) -> None:
         "--seed", type=int, metavar="N", help="of the hidden inputs (default: the last run's)"
     )
     command.add_argument(
+        "--no-sandbox",
+        action="store_true",
+        help="run submissions with your own rights, only if you trust them; reports will say so",
+    )
+    command.add_argument(
         "--dry-run", action="store_true", help="show what would change, and write nothing"
     )
     command.add_argument(
         "--explanations",
         action=argparse.BooleanOptionalAction,
         help="whether the feedback for students explains the answers (default: as last time; no)",
-    )
-    command.add_argument(
-        "--no-sandbox",
-        action="store_true",
-        help="run student code with your own rights; only for submissions that you trust",
     )
     add_class_list(command)
     add_json(command)

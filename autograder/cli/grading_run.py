@@ -5,7 +5,6 @@ from __future__ import annotations
 import argparse
 import secrets
 import time
-from dataclasses import replace
 from functools import partial
 
 from rich.console import Console
@@ -21,7 +20,7 @@ from autograder.regrading import Change, changes
 from autograder.reports.machine import change_fields, record_fields
 from autograder.reports.terminal import print_changes, print_table, progress_bar, warn
 from autograder.reports.write import Options, write_reports
-from autograder.sandbox.launcher import Isolation
+from autograder.sandbox.launcher import NO_SANDBOX, Isolation, isolation_text
 from autograder.submissions import Submission
 
 
@@ -37,13 +36,17 @@ def grade_and_report(
     find_class_list(parsed, book)  # a broken one is said before anything runs
     questions = frozenset(course.question(id).id for id in parsed.question or ()) or None
     before = {record.student: record for record in book.records()}
-    run = _choose_run(parsed, course, book, regrade)
+    isolation: Isolation = "none" if parsed.no_sandbox else "auto"
+    jobs = min(parsed.jobs, len(submissions))
+    run = _choose_run(parsed, course, book, regrade, isolation, jobs)
     marker = Marker(course, run.seed)
     known = None
     if questions is None and not parsed.dry_run:
         known = partial(book.find, run=run, questions=course.questions.keys())
     graded: list[Graded] = []
-    started = time.monotonic()
+    if parsed.no_sandbox:
+        warn("Student code runs with your own rights (--no-sandbox); every report says so.")
+    began = time.monotonic()
     with progress_bar() as progress:
         task = progress.add_task("", total=len(submissions))
 
@@ -53,22 +56,12 @@ def grade_and_report(
                 book.store(entry, run, whole=questions is None)
             progress.advance(task)
 
-        def began(isolation: str) -> None:
-            nonlocal run
-            run = replace(run, isolation=isolation)
-            if parsed.no_sandbox:
-                warn("Student code runs with your own rights (--no-sandbox); every report says so.")
-            if not parsed.dry_run:
-                book.note_isolation(run, isolation)
-
-        jobs = min(parsed.jobs, len(submissions))
-        wanted: Isolation = "none" if parsed.no_sandbox else "auto"
-        grade_all(submissions, marker, jobs, done, questions, known, wanted, began)
+        grade_all(submissions, marker, jobs, done, questions, known, isolation)
     changed = changes(before, graded)
     if parsed.dry_run:
         _tell_dry_run(parsed, console, before, changed, len(graded))
         return DONE
-    book.finish_run(run, time.monotonic() - started)
+    book.finish_run(run, time.monotonic() - began)
     if parsed.explanations is not None:
         book.set("explanations", "yes" if parsed.explanations else "no")
     students = {submission.student for submission in submissions}
@@ -102,8 +95,17 @@ def grade_and_report(
     return DONE
 
 
-def _choose_run(parsed: argparse.Namespace, course: Course, book: Gradebook, regrade: bool) -> Run:
+def _choose_run(
+    parsed: argparse.Namespace,
+    course: Course,
+    book: Gradebook,
+    regrade: bool,
+    isolation: Isolation,
+    jobs: int,
+) -> Run:
     """The last run goes on, unless the key, the seed or the wish to regrade asks for a new one.
+
+    So does grading with the sandbox after a run without it, and the other way round.
 
     A new run draws the same hidden inputs as the last: what changes is then the key's doing.
     """
@@ -113,9 +115,10 @@ def _choose_run(parsed: argparse.Namespace, course: Course, book: Gradebook, reg
         seed = parsed.seed
     if parsed.dry_run:
         return Run(0, course.version, seed)
-    if last and not regrade and last.course_version == course.version and last.seed == seed:
+    same_key = last is not None and (last.course_version, last.seed) == (course.version, seed)
+    if last and same_key and not regrade and (last.isolation == NO_SANDBOX) == parsed.no_sandbox:
         return last
-    return book.begin_run(course.version, seed)
+    return book.begin_run(course.version, seed, isolation_text(course, isolation, jobs))
 
 
 def _tell_dry_run(

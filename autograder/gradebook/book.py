@@ -92,11 +92,6 @@ class Gradebook:
         assert cursor.lastrowid is not None
         return Run(cursor.lastrowid, course_version, seed, isolation, started)
 
-    def note_isolation(self, run: Run, isolation: str) -> None:
-        """Note what keeps student code in, which is known once the sandboxes have started."""
-        with self._transaction() as db:
-            db.execute("UPDATE run SET isolation = ? WHERE id = ?", (isolation, run.id))
-
     def finish_run(self, run: Run, seconds: float) -> None:
         """Note that everything of a run was graded; a run that was resumed adds up."""
         with self._transaction() as db:

@@ -49,7 +49,7 @@ def _grade(root: Path, course_root: Path, explanations: bool) -> dict[str, Any]:
     marker = Marker(course, secrets.randbits(32))
     done: list[Graded] = []
     try:
-        grade_all([submission], marker, 1, done.append, began=print)
+        grade_all([submission], marker, 1, done.append)
     except SandboxError as error:
         print(error)
         return failure("student code could not be kept in", most_points(course))
