@@ -39,7 +39,6 @@ def add(commands: Commands) -> None:
 def run(parsed: argparse.Namespace, console: Console) -> int:
     """Write the export, and name the work that belongs to nobody in the class list."""
     from autograder.gradebook import Gradebook
-    from autograder.release.gradescope_zip import write_gradescope
     from autograder.reports import exports
     from autograder.reports.terminal import warn
 
@@ -49,6 +48,8 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
         class_list = find_class_list(parsed, book)
         explanations = book.setting("explanations") == "yes"
     if parsed.format == "gradescope":
+        from autograder.release.gradescope_zip import write_gradescope
+
         folder = parsed.to or parsed.out / "gradescope"
         count = write_gradescope(folder, course, records, explanations)
         console.print(

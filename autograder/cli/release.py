@@ -28,7 +28,7 @@ def add(commands: Commands) -> None:
 
 def run(parsed: argparse.Namespace, console: Console) -> int:
     """Write the bundle and say what it holds."""
-    from autograder.release import release
+    from autograder.release.bundle import release
 
     course = load(parsed)
     practice = list(dict.fromkeys(parsed.practice or []))

@@ -17,7 +17,7 @@ from autograder.course import Course, load_course
 from autograder.errors import CourseError, UsageError
 from autograder.formula import evaluate_formula
 from autograder.probes import load_object
-from autograder.release import release
+from autograder.release.bundle import release
 from autograder.release.leaks import leaks, secrets
 from autograder.sandbox.evaluate import evaluate
 from autograder.snapshots import SnapshotMarker, pack, unpack
@@ -253,7 +253,7 @@ def test_no_hidden_input_that_is_always_the_same_is_shown(orchard: Course, tmp_p
     # In a process of its own: the module of this name is loaded here already.
     code = (
         "import sys; from pathlib import Path; from autograder.course import load_course;"
-        "from autograder.release import release;"
+        "from autograder.release.bundle import release;"
         "release(load_course(Path(sys.argv[1])), Path(sys.argv[2]))"
     )
     subprocess.run(
