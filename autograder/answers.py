@@ -112,11 +112,12 @@ class ExpressionAnswer(Answer):
 
 @dataclass(frozen=True)
 class FunctionAnswer(Answer):
-    """The key to a function question; reference, cases and compare are dotted names."""
+    """The key to a function question; reference, cases, compare and picture are dotted names."""
 
     reference: str
     cases: str
     compare: str | None
+    picture: str | None = None
 
 
 def answer_from_table(table: dict[str, Any], question: q.Question) -> Answer:
@@ -285,6 +286,7 @@ def _function(
         reference=read.text("reference"),
         cases=read.text("cases"),
         compare=read.take("compare", str, None),
+        picture=read.take("picture", str, None),
     )
 
 

@@ -1,6 +1,6 @@
 """Formulas of the answer key, evaluated on arrays without ``eval``.
 
-A formula is plain arithmetic, such as ``2*N*(r - x_c*cos(alpha))``: numbers, names, ``+ - * / **``,
+A formula is plain arithmetic, such as ``2*a*(b - cos(c))``: numbers, names, ``+ - * / **``,
 comparisons and the functions in `FUNCTIONS`. It is parsed by `ast`, which runs nothing, and every
 node that is not on the list is refused.
 """

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import time
 from collections.abc import Callable, Iterable
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from contextlib import ExitStack
@@ -14,7 +15,8 @@ from autograder.course import Chapter, Course
 from autograder.marker import Marker
 from autograder.marking import Mark, not_attempted, stopped
 from autograder.questions import Order, Question, TrueFalse
-from autograder.sandbox.launcher import Sandbox, Session, Stopped
+from autograder.sandbox.launcher import Isolation, Sandbox, Session, Stopped, open_sandboxes
+from autograder.student.typed import typed_cell
 from autograder.submissions import Contents, Notebook, Submission, Unreadable, read_submission
 
 
@@ -22,7 +24,8 @@ from autograder.submissions import Contents, Notebook, Submission, Unreadable, r
 class Graded:
     """The marks of one submission, in the order of the course's questions.
 
-    ``status`` is ``graded`` or ``unreadable``; ``notes`` say what was odd about the files.
+    ``status`` is ``graded`` or ``unreadable``; ``notes`` say what was odd about the files;
+    ``seconds`` is how long running and marking took.
     """
 
     submission: Submission
@@ -30,6 +33,7 @@ class Graded:
     fingerprint: str
     marks: tuple[Mark, ...]
     notes: tuple[str, ...] = ()
+    seconds: float = 0.0
 
     @property
     def total(self) -> float:
@@ -44,29 +48,32 @@ def grade_all(
     done: Callable[[Graded], None],
     questions: frozenset[str] | None = None,
     known: Callable[[str, str], Graded | None] | None = None,
+    isolation: Isolation = "auto",
 ) -> None:
     """Grade submissions on ``jobs`` sandboxes at once and call ``done`` with each, as it is ready.
 
     ``done`` is called on the calling thread, and so is ``known``, which returns what the work of a
     student with some fingerprint was graded before: it is not run again. Only ``questions`` are
-    marked, if they are given.
+    marked, if they are given. ``isolation`` is as for `Sandbox`.
+
+    Raises:
+        SandboxError: if student code cannot be kept in here.
     """
-    with ExitStack() as stack:
+    # In this order: leaving early ends the sandboxes first, so that no task goes on waiting.
+    with ThreadPoolExecutor(jobs) as pool, ExitStack() as stack:
         idle: SimpleQueue[Sandbox] = SimpleQueue()
-        for _ in range(jobs):
-            # On this thread: a sandbox ends with the thread that started it.
-            idle.put(stack.enter_context(Sandbox(marker.course)))
-        pool = stack.enter_context(ThreadPoolExecutor(jobs))
+        ready: Future[None] | None = None
 
         def grade(submission: Submission, contents: Contents) -> Graded:
             slot = idle.get()
+            began = time.monotonic()
             try:
                 marks = grade_contents(contents, marker, slot, questions)
             finally:
                 idle.put(slot)
-            return Graded(
-                submission, "graded", contents.fingerprint, tuple(marks), tuple(contents.notes)
-            )
+            seconds = time.monotonic() - began
+            fingerprint, notes = contents.fingerprint, tuple(contents.notes)
+            return Graded(submission, "graded", fingerprint, tuple(marks), notes, seconds)
 
         names = [chapter.name for chapter in marker.course.chapters]
         tasks: set[Future[Graded]] = set()
@@ -81,14 +88,21 @@ def grade_all(
                 if before is not None:
                     done(before)
                     continue
+                if ready is None:  # only now is there something to run
+                    ready = pool.submit(marker.prepare, questions)
+                    for slot in open_sandboxes(marker.course, jobs, isolation, marker.seed):
+                        # On this thread: a sandbox ends with the thread that started it.
+                        idle.put(stack.enter_context(slot))
+                    ready.result()
                 tasks.add(pool.submit(grade, submission, contents))
                 if len(tasks) > 2 * jobs:  # so that memory does not grow with the class
                     tasks = _report_finished(tasks, done)
             while tasks:
                 tasks = _report_finished(tasks, done)
-        finally:
+        except BaseException:
             for task in tasks:
                 task.cancel()
+            raise
 
 
 def _report_finished(
@@ -165,17 +179,23 @@ def _grade_chapter(
     notebook = contents.notebooks.get(chapter.name, Notebook(cells=[], receipts={}))
     cells = [cell for cell in notebook.cells if cell not in marker.course.demo_cells]
     given = {
-        id: entry.get("response") for id, entry in contents.sidecars.get(chapter.name, {}).items()
+        id: entry["response"]
+        for id, entry in contents.sidecars.get(chapter.name, {}).items()
+        if entry.get("response") is not None
     }
+    # What was typed into a field counts where the notebook itself assigns nothing.
+    kept = {**notebook.receipts, **given}
+    typed = {q.id: cell for q in asked if (cell := typed_cell(q, kept.get(q.id))) is not None}
+    cells += typed.values()
     with sandbox.session() as session:
         names = [question.name for question in asked if question.name]
         report: dict[str, Any] = {}
-        failure = None
+        failure: Stopped | None = None
         try:
             if cells:
                 report = session.run(cells, names)
         except Stopped as stop:
-            failure = stop.status
+            failure = stop
         # What the student's widgets wrote is the truth; the code's own `respond` and the receipts
         # in the outputs stand in where it is missing.
         responses = {**notebook.receipts, **_dictionary(report.get("responses")), **given}
@@ -187,20 +207,25 @@ def _grade_chapter(
             elif chapter.name in contents.unreadable:
                 reason = contents.unreadable[chapter.name]
                 marks.append(stopped(question, "unreadable", reason))
-            elif chapter.name not in contents.notebooks:
+            elif chapter.name not in contents.notebooks and question.id not in typed:
                 marks.append(not_attempted(question, "Its notebook was not handed in."))
             elif failure is not None:
-                marks.append(stopped(question, failure, _NOTEBOOK_STOPPED[failure]))
+                marks.append(stopped(question, failure.status, _notebook_stopped(failure)))
             else:
                 said = str(understood.get(question.name or "", ""))
                 marks.append(_mark_named(question, session, marker, cells, report, said))
         return marks
 
 
-_NOTEBOOK_STOPPED = {
-    "timeout": "Running the notebook took longer than the time limit.",
-    "killed": "The notebook's process ended while it ran: too much memory, a crash, or an exit.",
-}
+def _notebook_stopped(stop: Stopped) -> str:
+    if stop.status == "timeout":
+        return "Running the notebook took longer than the time limit."
+    why = stop.why or "too much memory, a crash, or an exit"
+    return f"The notebook's process ended while it ran: {why}."
+
+
+def _response_stopped(stop: Stopped) -> str:
+    return f"The process that ran it was ended: {stop.why}." if stop.why else ""
 
 
 def _mark_named(
@@ -216,7 +241,7 @@ def _mark_named(
     try:
         response = session.evaluate(question.name, marker.probe(question.id).sent)
     except Stopped as stop:
-        return stopped(question, stop.status)
+        return stopped(question, stop.status, _response_stopped(stop))
     reason = response.get("reason")
     missing = isinstance(reason, str) and reason == "missing"
     if missing and _defining_cell_failed(question.name, cells, report):

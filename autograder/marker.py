@@ -6,6 +6,7 @@ The grader uses it directly; a student's notebook talks to it in a process of it
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from typing import Any
 
 from autograder.course import Course
@@ -35,6 +36,11 @@ class Marker:
                 question, self.course.key[id], self.seed, self.course.root
             )
         return self._probes[id]
+
+    def prepare(self, ids: Collection[str] | None = None) -> None:
+        """Draw the probes of these questions, or of all, before several threads ask for them."""
+        for id in self.course.questions if ids is None else ids:
+            self.probe(id)
 
     def mark(self, id: str, response: Any, understood: str = "") -> Mark:
         """Mark what came back for the question's probe."""

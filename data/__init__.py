@@ -6,6 +6,8 @@ change it.
 
 from __future__ import annotations
 
+import hashlib
+import io
 from functools import cache
 from pathlib import Path
 from typing import NamedTuple
@@ -61,13 +63,13 @@ def campus_photographs() -> dict[str, NDArray[np.uint8]]:
 
     Each is (426, 640, 3), red, green, blue.
     """
-    return _photographs("walk", 20)
+    return _photographs("walk")
 
 
 @cache
 def campus_queries() -> dict[str, NDArray[np.uint8]]:
     """The 5 photographs of the same walk that were held back as queries, by number."""
-    return _photographs("queries", 5)
+    return _photographs("queries")
 
 
 def same_place_pairs(by_eye: bool = False) -> frozenset[frozenset[str]]:
@@ -105,36 +107,45 @@ def brick_walls() -> PointCloud:
     return PointCloud(_read_only(stored["points"].astype(np.float64)), stored["colors"])
 
 
-def _photographs(folder: str, count: int) -> dict[str, NDArray[np.uint8]]:
+def _photographs(folder: str) -> dict[str, NDArray[np.uint8]]:
     import cv2  # only here: it takes longer to import than everything else
 
-    paths = sorted((HERE / "campus" / folder).glob("*.jpg"))
-    if len(paths) != count:
-        raise DataError(
-            f"data/campus/{folder} holds {len(paths)} photographs instead of {count}; "
-            f"make them again: {REBUILD}"
-        )
     photographs = {}
-    for path in paths:
-        pixels = cv2.imdecode(np.frombuffer(path.read_bytes(), np.uint8), cv2.IMREAD_COLOR)
-        if pixels is None:
-            raise DataError(
-                f"data/campus/{folder}/{path.name} is damaged; make it again: {REBUILD}"
-            )
-        photographs[path.stem] = _read_only(np.ascontiguousarray(pixels[:, :, ::-1]))
+    for name in sorted(_checksums()):
+        if name.startswith(f"campus/{folder}/"):
+            pixels = cv2.imdecode(np.frombuffer(_content(name), np.uint8), cv2.IMREAD_COLOR)
+            if pixels is None:
+                raise DataError(f"OpenCV cannot read data/{name}; make it again: {REBUILD}")
+            number = name.rpartition("/")[2].removesuffix(".jpg")
+            photographs[number] = _read_only(np.ascontiguousarray(pixels[:, :, ::-1]))
     return photographs
 
 
 def _arrays(name: str, *wanted: str) -> dict[str, NDArray]:
+    with np.load(io.BytesIO(_content(name)), allow_pickle=False) as stored:
+        return {key: _read_only(stored[key]) for key in wanted}
+
+
+def _content(name: str) -> bytes:
+    """The bytes of a data file, compared with its checksum: a JPEG hides damage otherwise."""
+    content = _read(name)
+    if hashlib.sha256(content).hexdigest() != _checksums().get(name):
+        raise DataError(f"data/{name} is damaged; make it again: {REBUILD}")
+    return content
+
+
+def _checksums() -> dict[str, str]:
+    """SHA-256 of every data file by its name, as the build wrote them down."""
+    lines = _read("checksums.txt").decode("utf-8", "replace").splitlines()
+    return {name: digest for digest, _, name in (line.partition("  ") for line in lines)}
+
+
+def _read(name: str) -> bytes:
     try:
-        with np.load(HERE / name, allow_pickle=False) as stored:
-            return {key: _read_only(stored[key]) for key in wanted}
-    except FileNotFoundError:
-        raise DataError(f"data/{name} is missing; make it again: {REBUILD}") from None
-    except Exception as error:  # zipfile, zlib and NumPy each have their own for a damaged file
-        raise DataError(
-            f"data/{name} is damaged ({type(error).__name__}); make it again: {REBUILD}"
-        ) from None
+        return (HERE / name).read_bytes()
+    except OSError as error:
+        reason = "is missing" if isinstance(error, FileNotFoundError) else "cannot be read"
+        raise DataError(f"data/{name} {reason}; make it again: {REBUILD}") from None
 
 
 def _read_only(array: NDArray) -> NDArray:

@@ -185,7 +185,7 @@ def _leaks(course: Course, student_notebooks: list[str]) -> Iterator[str]:
     }
     for text in student_notebooks:
         cells = json.loads(text)["cells"]
-        texts[f"the notebook “{cells[0]['source'][0].strip('# ')}”"] = "\n".join(
+        texts[f"the notebook “{cells[0]['source'][0].strip('# \n')}”"] = "\n".join(
             "".join(cell["source"]) for cell in cells
         )
     for id, answer in course.key.items():
@@ -211,6 +211,10 @@ def _secrets(answer: a.Answer) -> Iterator[str]:
         yield alternative.feedback
         if isinstance(alternative, a.ExpressionAlternative) and not alternative.is_mistake:
             yield alternative.expression
+    if isinstance(answer, a.TrueFalseAnswer):
+        for statement in answer.statements:
+            yield statement.explanation
+            yield statement.misconception
 
 
 def _printed(question: q.Number, value: float) -> str:

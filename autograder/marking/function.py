@@ -10,6 +10,7 @@ import numpy as np
 
 from autograder.answers import FunctionAlternative, FunctionAnswer
 from autograder.marking.mark import Mark, Part, status_for
+from autograder.marking.shown import shown_outcome
 from autograder.questions import Function
 from autograder.sandbox.evaluate import REASONS
 
@@ -51,7 +52,8 @@ def mark_function(
         Part(kind, all(verdicts[i] for i in indices), _what_happened(outcomes, indices))
         for kind, indices in kinds.items()
     )
-    known: dict[str, Any] = {"parts": parts, "explanation": answer.explanation}
+    shown = shown_outcome(expected.cases, outcomes)
+    known: dict[str, Any] = {"parts": parts, "explanation": answer.explanation, "shown": shown}
     if all(verdicts):
         feedback = f"Right on all {len(kinds)} kinds of input."
         return Mark(question.id, "right", 1.0, question.points, feedback, "right", **known)
@@ -128,7 +130,10 @@ def close(case: dict[str, Any], expected: Any, actual: Any) -> bool:
             and len(actual) == len(expected)
             and all(close(case, e, a) for e, a in zip(expected, actual, strict=True))
         )
-    if not _is_numeric(actual):
+    if isinstance(expected, int) and isinstance(actual, int):
+        return expected == actual  # exact, and of any length
+    expected, actual = _as_float(expected), _as_float(actual)
+    if not (_is_numeric(expected) and _is_numeric(actual)):
         return False
     right, given = np.asarray(expected), np.asarray(actual)
     if right.shape != given.shape:
@@ -137,6 +142,16 @@ def close(case: dict[str, Any], expected: Any, actual: Any) -> bool:
         return bool(np.array_equal(right, given))
     size = float(np.max(np.abs(right), initial=0.0, where=np.isfinite(right)))
     return bool(np.allclose(given, right, rtol=1e-6, atol=1e-9 * max(size, 1e-3), equal_nan=True))
+
+
+def _as_float(value: Any) -> Any:
+    """An integer too long for NumPy as a float, if it is not too long for that."""
+    if not isinstance(value, int) or value.bit_length() < 64:
+        return value
+    try:
+        return float(value)
+    except OverflowError:
+        return value
 
 
 def _is_numeric(value: Any) -> bool:

@@ -35,7 +35,8 @@ class Mark:
 
     ``credit`` runs from 0 to 1; ``alternative`` names the recognised response or mistake.
     ``feedback`` says what to do next and never contains a hidden input; ``explanation`` gives the
-    answer away and is shown only where the key is at hand or the instructor allows it.
+    answer away and is shown only where the key is at hand or the instructor allows it. ``shown``
+    is what a function returned for a public input, as JSON data, for the picture in the feedback.
     """
 
     question: str
@@ -47,6 +48,7 @@ class Mark:
     parts: tuple[Part, ...] = ()
     explanation: str = ""
     understood: str = ""
+    shown: Any = None
 
     def __post_init__(self) -> None:
         if self.status not in STATUSES:

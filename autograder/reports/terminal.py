@@ -1,8 +1,10 @@
-"""The progress bar and the table that ``autograder grade`` prints."""
+"""What the commands print: progress, tables, differences, one student."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import sys
+from collections.abc import Iterable, Mapping, Sequence
+from itertools import groupby
 
 from rich.console import Console
 from rich.markup import escape
@@ -10,26 +12,34 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 from rich.table import Table
 
 from autograder.course import Course
-from autograder.grading import Graded
+from autograder.gradebook.record import Record
+from autograder.marking import Mark
+from autograder.regrading import Change
+from autograder.reports.machine import most_points
 
-_LETTERS = {
-    "right": "[green]✓[/]",
-    "partial": "[yellow]◐[/]",
-    "wrong": "[red]✗[/]",
-    "not attempted": "[dim]·[/]",
+SIGNS = {
+    "right": "✓",
+    "partial": "◐",
+    "wrong": "✗",
+    "not attempted": "·",
     "recorded": "●",
-    "error": "[red]E[/]",
-    "timeout": "[red]T[/]",
-    "killed": "[red]K[/]",
-    "unreadable": "[red]?[/]",
+    "error": "E",
+    "timeout": "T",
+    "killed": "K",
+    "unreadable": "?",
 }
+_COLOURS = {"right": "green", "partial": "yellow", "not attempted": "dim", "recorded": "default"}
 LEGEND = "✓ right  ◐ partial  ✗ wrong  · not attempted  E error  T timeout  K killed  ? unreadable"
 
 
-def progress_bar(console: Console) -> Progress:
-    """A bar with the count and the time that is left; silent when nobody watches."""
+def progress_bar(doing: str = "grading") -> Progress:
+    """A bar with the count and the time that is left; silent when nobody watches.
+
+    It goes to standard error, so that standard output holds results only.
+    """
+    console = Console(stderr=True, highlight=False)
     return Progress(
-        TextColumn("grading"),
+        TextColumn(doing),
         BarColumn(),
         MofNCompleteColumn(),
         TimeRemainingColumn(),
@@ -40,34 +50,119 @@ def progress_bar(console: Console) -> Progress:
     )
 
 
-def print_table(console: Console, course: Course, graded: Sequence[Graded]) -> None:
+def warn(sentence: str) -> None:
+    """Say something on standard error."""
+    print(f"autograder: {printable(sentence)}", file=sys.stderr)
+
+
+def print_table(console: Console, course: Course, records: Sequence[Record]) -> None:
     """A row a student: a sign for each question, grouped by chapter, and the total."""
-    most = sum(question.points for question in course.questions.values())
     table = Table(box=None, pad_edge=False)
     table.add_column("student", overflow="fold")
     for chapter in course.chapters:
         table.add_column(chapter.title, overflow="fold")
     table.add_column("points", justify="right")
     table.add_column("", overflow="fold")
-    for entry in graded:
-        statuses = {mark.question: mark.status for mark in entry.marks}
+    for record in records:
+        marks = record.marks
         signs = [
             "".join(
-                _LETTERS.get(statuses.get(question.id, ""), " ") for question in chapter.questions
+                _sign(marks[question.id].status) if question.id in marks else " "
+                for question in chapter.questions
             )
             for chapter in course.chapters
         ]
-        notes = " ".join(entry.notes)
         table.add_row(
-            escape(printable(entry.submission.student)),
+            escape(printable(record.student)),
             *signs,
-            f"{entry.total:g} / {most:g}",
-            escape(printable(notes)),
+            f"{record.total:g} / {most_points(course):g}",
+            escape(printable(" ".join(record.graded.notes))),
         )
     console.print(table)
     console.print(f"[dim]{LEGEND}[/]")
 
 
+def print_changes(
+    console: Console, before: Mapping[str, Record], changes: Sequence[Change]
+) -> None:
+    """A line a student whose marks changed: the totals, and every mark before and after."""
+    count = 0
+    for student, entries in groupby(changes, key=lambda change: change.student):
+        count += 1
+        of_student = list(entries)
+        earned = before[student].earned
+        gained = sum(change.points for change in of_student)
+        _line(console, f"{student}: {earned:g} → {round(earned + gained, 2):g} points")
+        for change in of_student:
+            kept = "; the override stays" if change.overridden else ""
+            _line(
+                console,
+                f"  {change.question}: {_verdict(change.before)} → {_verdict(change.after)}{kept}",
+            )
+    students = "1 student" if count == 1 else f"{count} students"
+    _line(console, f"{len(changes)} marks of {students} differ." if changes else "No mark differs.")
+
+
+def print_record(
+    console: Console,
+    course: Course,
+    record: Record,
+    overrides: Iterable[tuple[str, float | None, str, str]],
+) -> None:
+    """Everything about one student, a line a question."""
+    console.print(f"[bold]{escape(printable(record.student))}[/]", soft_wrap=True)
+    _line(console, f"{record.total:g} of {most_points(course):g} points, {record.graded.status}")
+    if record.late_days:
+        _line(
+            console,
+            f"{record.late_days} days late: {record.late_percent:g} % off, "
+            f"that is {record.deduction:g} points",
+        )
+    _line(console, f"handed in: {record.graded.submission.path}")
+    for note in record.graded.notes:
+        _line(console, f"! {note}")
+    table = Table(box=None, pad_edge=False)
+    table.add_column("")
+    table.add_column("question", no_wrap=True)
+    table.add_column("points", justify="right", no_wrap=True)
+    table.add_column("understood as", overflow="fold", ratio=1)
+    table.add_column("verdict", overflow="fold", ratio=2)
+    for question in course.questions.values():
+        mark = record.marks.get(question.id)
+        if mark is None:
+            continue
+        override = record.overrides.get(question.id)
+        said = f"{mark.alternative}: {mark.feedback}" if mark.alternative else mark.feedback
+        if override is not None:
+            said = f"given by hand ({override.reason}); the grader said {mark.points:g}. {said}"
+        table.add_row(
+            _sign(mark.status),
+            question.id,
+            f"{record.points(question.id):g} / {question.points:g}",
+            escape(printable(mark.understood)),
+            escape(printable(said)),
+        )
+    console.print(table)
+    for question_id, points, reason, made_at in overrides:
+        given = "withdrawn" if points is None else f"{points:g} points"
+        _line(console, f"override {made_at}: {question_id} {given} ({reason})")
+    for remark in record.notes:
+        _line(console, f"note {remark.made_at}: {remark.text}")
+
+
 def printable(text: str) -> str:
     """Text without control characters, so that no name can write to the terminal."""
     return "".join(character if character.isprintable() else "�" for character in text)
+
+
+def _line(console: Console, text: str) -> None:
+    console.print(printable(text), markup=False, soft_wrap=True)
+
+
+def _sign(status: str) -> str:
+    return f"[{_COLOURS.get(status, 'red')}]{SIGNS.get(status, ' ')}[/]"
+
+
+def _verdict(mark: Mark) -> str:
+    named = mark.alternative if mark.alternative not in (None, mark.status) else ""
+    return f"{mark.points:g} ({mark.status}{', ' if named else ''}{named})"

@@ -14,7 +14,15 @@ from autograder.course import Course
 from autograder.errors import AutograderError
 from autograder.sandbox.stopped import Stopped
 
-__all__ = ["Sandbox", "SandboxError", "Session", "Stopped"]
+__all__ = [
+    "Isolation",
+    "Sandbox",
+    "SandboxError",
+    "Session",
+    "Stopped",
+    "isolation_text",
+    "open_sandboxes",
+]
 
 Isolation = Literal["auto", "bubblewrap", "reduced", "none"]
 NO_SANDBOX = "none: a separate process with the instructor's rights (--no-sandbox)"
@@ -54,14 +62,7 @@ class Sandbox:
 
     def __enter__(self) -> Sandbox:
         if not self._plain:
-            if sys.platform != "linux":
-                raise SandboxError(
-                    "Submissions can be kept in only on Linux (on Windows use WSL, on a Mac a "
-                    "Linux container); --no-sandbox grades them with your own rights."
-                )
-            from autograder.sandbox.tiers import best_tier
-
-            self._tier = best_tier(self._course, self._wanted)
+            self._tier = _tier(self._course, self._wanted, 1)
             self.isolation = self._tier.text
             self._host = self._tier.take_started() or self._tier.start()
         return self
@@ -96,3 +97,36 @@ class Sandbox:
         if self._host.is_stopped:
             self._host = self._tier.start()
         return self._host
+
+
+def open_sandboxes(
+    course: Course, count: int, isolation: Isolation = "auto", seed: int = 0
+) -> list[Sandbox]:
+    """So many sandboxes, to be entered one by one; they start at the same time.
+
+    Raises:
+        SandboxError: if no isolation works here.
+    """
+    if isolation != "none":
+        _tier(course, isolation, count)
+    return [Sandbox(course, isolation, seed) for _ in range(count)]
+
+
+def isolation_text(course: Course, isolation: Isolation = "auto", slots: int = 1) -> str:
+    """What will keep student code in, for reports; ``slots`` sandboxes are started on the way.
+
+    Raises:
+        SandboxError: if no isolation works here.
+    """
+    return NO_SANDBOX if isolation == "none" else str(_tier(course, isolation, slots).text)
+
+
+def _tier(course: Course, isolation: Isolation, slots: int) -> Any:
+    if sys.platform != "linux":
+        raise SandboxError(
+            "Submissions can be kept in only on Linux (on Windows use WSL, on a Mac a Linux "
+            "container); --no-sandbox grades them with your own rights."
+        )
+    from autograder.sandbox.tiers import best_tier
+
+    return best_tier(course, isolation, slots)

@@ -5,6 +5,7 @@ This runs where the student's code runs: nothing in it is trusted once a cell ha
 
 from __future__ import annotations
 
+import base64
 import json
 import math
 import os
@@ -16,10 +17,17 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from autograder.sandbox.evaluate import describe, evaluate
 
 MAX_SAVED = 2**20
 _DESCRIBE_SECONDS = 2.0
+_PLAIN = (bool, complex, float, int, str, type(None), type(...))
+_PIXEL = base64.b64decode(
+    "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJg"
+    "gg=="
+)
 _CAN_INTERRUPT = hasattr(signal, "setitimer")
 
 
@@ -32,8 +40,11 @@ class Notebook:
 
     def __init__(self) -> None:
         import matplotlib
+        from matplotlib.figure import Figure
 
-        matplotlib.use("agg")  # figures are made, never drawn
+        matplotlib.use("agg")
+        # Figures are made, never drawn: nobody looks at them.
+        Figure.savefig = _save_nothing  # type: ignore[method-assign,assignment]
         self._shell = _quiet_shell()
         self._names_at_start = frozenset(self._shell.user_ns)
 
@@ -78,6 +89,11 @@ class Notebook:
         if name not in self._shell.user_ns:
             return {"state": "unusable", "reason": "missing"}
         return evaluate(self._shell.user_ns[name], probe)
+
+    def holds_plain_value(self, name: str) -> bool:
+        """Whether reading the response runs no code of the student: it is a built-in number."""
+        kind = type(self._shell.user_ns.get(name))
+        return kind in _PLAIN or kind in (np.float64, np.int64)
 
     def forget(self) -> None:
         """Remove what cells have defined."""
@@ -125,6 +141,14 @@ def _described(response: Any) -> str:
             return describe(response)
     except BaseException:
         return f"a {type(response).__name__}"
+
+
+def _save_nothing(figure: Any, target: Any, *arguments: Any, **options: Any) -> None:
+    """Stand in for ``Figure.savefig``: a picture of one pixel."""
+    if hasattr(target, "write"):
+        target.write(_PIXEL)
+    else:
+        Path(target).write_bytes(_PIXEL)
 
 
 def _close_figures() -> None:
@@ -189,11 +213,17 @@ def _quiet_shell() -> Any:
             """``%matplotlib inline`` would draw every figure."""
             return "inline", "agg"
 
+    def show_nothing(response: Any, *arguments: Any, **options: Any) -> Any:
+        """Do not even ask an object how it would be shown."""
+        return {}, {}
+
     config = Config()
     config.HistoryManager.enabled = False
     shell = QuietShell.instance(
         config=config, displayhook_class=NoResults, display_pub_class=NoOutputs
     )
+
+    shell.display_formatter.format = show_nothing
 
     def do_nothing(self: Any, line: str = "", cell: str = "") -> None:
         """``%%bash`` and its like do nothing here."""

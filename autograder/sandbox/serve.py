@@ -5,8 +5,9 @@ It obeys the messages of one channel until that closes:
 - ``{"do": "run", "nonce", "cells", "names", "skip", "cell_seconds", "seconds"}`` runs a notebook.
   Before each cell ``{"nonce", "cell": index}`` goes back, at the end ``{"nonce", "reply": ...}``.
 - ``{"do": "evaluate", "nonce", "name", "probe", "seconds"}`` evaluates one response in a fork, so
-  that a crash or a hang costs one question. ``{"nonce", "reply": ...}`` or, if the fork ended
-  without one, ``{"nonce", "ended_by": signal}`` goes back.
+  that a crash or a hang costs one question and no question changes what the next one sees.
+  ``{"nonce", "reply": ...}`` or, if the fork ended without one, ``{"nonce", "ended_by": signal}``
+  goes back.
 
 The nonce ties an answer to its question: what student code may have written into the channel before
 is passed over by the grader.
@@ -24,6 +25,8 @@ from typing import Any, NoReturn
 from autograder.sandbox import wire
 from autograder.sandbox.channel import Channel
 from autograder.sandbox.notebook import Notebook
+
+_ANSWERED = 77  # exit status of a fork that has sent its answer
 
 
 def serve(sock: socket.socket, notebook: Notebook) -> NoReturn:
@@ -72,6 +75,10 @@ def _run(channel: Channel, notebook: Notebook, message: dict[str, Any]) -> None:
 
 def _evaluate(channel: Channel, notebook: Notebook, message: dict[str, Any]) -> None:
     nonce = message["nonce"]
+    if notebook.holds_plain_value(message["name"]):
+        # Reading a number runs none of the student's code: no fork is needed.
+        _answer(channel, nonce, notebook.evaluate(message["name"], message["probe"]))
+        return
     child = os.fork()
     if child == 0:
         try:
@@ -81,11 +88,11 @@ def _evaluate(channel: Channel, notebook: Notebook, message: dict[str, Any]) -> 
             reply = notebook.evaluate(message["name"], message["probe"])
             signal.setitimer(signal.ITIMER_REAL, 0)
             _answer(channel, nonce, reply)
-            os._exit(0)
+            os._exit(_ANSWERED)
         finally:
             os._exit(1)
     _, status = os.waitpid(child, 0)
-    if status != 0:
+    if os.waitstatus_to_exitcode(status) != _ANSWERED:
         ended_by = os.WTERMSIG(status) if os.WIFSIGNALED(status) else 0
         channel.send({"nonce": nonce, "ended_by": ended_by})
 

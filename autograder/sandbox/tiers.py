@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import atexit
 import os
 import tempfile
 import time
@@ -55,7 +56,7 @@ def work():
 works = attempt(work)
 """
 # name: (what must have come out, what it means)
-_TRIALS = {
+TRIALS = {
     "read_a_file": (("FileNotFoundError", "PermissionError"), "no file outside can be read"),
     "write_a_file": (
         ("FileNotFoundError", "PermissionError", "OSError"),
@@ -82,7 +83,7 @@ class Tier:
     text: str = ""
     results: dict[str, bool] = field(default_factory=dict)
     problem: str = ""
-    _started: Host | None = None
+    _started: list[Host] = field(default_factory=list)
 
     def start(self) -> Host:
         """A new host of this kind.
@@ -93,31 +94,30 @@ class Tier:
         return Host(self.course.root, self.course.settings, self.with_namespaces)
 
     def take_started(self) -> Host | None:
-        """The host on which the trial was held, once."""
-        host, self._started = self._started, None
-        return host
+        """A host that was started for the trial and has no use yet."""
+        return self._started.pop() if self._started else None
 
-    def try_out(self) -> bool:
-        """Start a host and let student code try to get out of it."""
+    def try_out(self, slots: int = 1) -> bool:
+        """Start as many hosts as will be needed and let student code try to get out of one."""
         try:
-            host = self.start()
-        except (HostError, OSError) as error:
-            self.problem = str(error)
-            return False
-        try:
-            self.results = _try_to_get_out(host, self.course)
+            for _ in range(slots):  # all at once, because starting is mostly importing
+                self._started.append(self.start())
+            self.results = _try_to_get_out(self._started[-1], self.course)
         except (HostError, OSError, EOFError, Late, WireError) as error:
             self.problem = str(error) or "the trial did not end"
-            host.stop()
-            return False
-        failed = [_TRIALS[name][1] for name, held in self.results.items() if not held]
+        failed = [TRIALS[name][1] for name, held in self.results.items() if not held]
         if failed:
             self.problem = "it does not hold that " + " and that ".join(failed)
-            host.stop()
+        if self.problem:
+            self.stop_unused()
             return False
         self.text = describe(self.with_namespaces)
-        self._started = host
         return True
+
+    def stop_unused(self) -> None:
+        """End the hosts that nobody has taken."""
+        while self._started:
+            self._started.pop().stop()
 
 
 def describe(with_namespaces: bool) -> str:
@@ -148,8 +148,10 @@ _best: dict[tuple[Path, str], Tier] = {}
 _lock = Lock()
 
 
-def best_tier(course: Course, wanted: str = "auto") -> Tier:
+def best_tier(course: Course, wanted: str = "auto", slots: int = 1) -> Tier:
     """The best kind that works here, or the one that is wanted; tried once a process and course.
+
+    At the trial so many hosts are started as there will be ``slots``.
 
     Raises:
         SandboxError: if none works; the sentence says why and what to do.
@@ -157,23 +159,25 @@ def best_tier(course: Course, wanted: str = "auto") -> Tier:
     with _lock:
         tried = _best.get((course.root, wanted))
         if tried is not None:
-            return Tier(tried.name, tried.with_namespaces, course, tried.text, tried.results)
+            return tried
         problems = []
         for tier in tiers(course):
             if wanted not in ("auto", tier.name):
                 continue
-            if tier.try_out():
+            if tier.try_out(slots):
+                atexit.register(tier.stop_unused)
                 _best[course.root, wanted] = tier
                 return tier
             problems.append(f"{tier.name}: {tier.problem.rstrip('.')}")
     raise SandboxError(
         f"Submissions cannot be kept in on this machine ({'; '.join(problems)}). "
-        f"{_advice()} `autograder doctor` shows each attempt; --no-sandbox grades with your own "
+        f"{advice()} `autograder doctor` shows each attempt; --no-sandbox grades with your own "
         "rights, only for submissions that you trust."
     )
 
 
-def _advice() -> str:
+def advice() -> str:
+    """What to change on this machine so that bubblewrap works."""
     if bubblewrap.find_bubblewrap() is None:
         return "Install bubblewrap (apt install bubblewrap)."
     return (
@@ -207,7 +211,7 @@ def _try_to_get_out(host: Host, course: Course) -> dict[str, bool]:
                 "do": "run",
                 "nonce": "trial",
                 "cells": [cell],
-                "names": list(_TRIALS),
+                "names": list(TRIALS),
                 "skip": {},
                 "cell_seconds": _TRIAL_SECONDS,
                 "seconds": _TRIAL_SECONDS,
@@ -220,6 +224,6 @@ def _try_to_get_out(host: Host, course: Course) -> dict[str, bool]:
         host.close()
         understood = answer["reply"]["understood"]
         untouched = Path(canary.name).read_text() == "secret"
-    results = {name: understood.get(name) in expected for name, (expected, _) in _TRIALS.items()}
+    results = {name: understood.get(name) in expected for name, (expected, _) in TRIALS.items()}
     results["write_a_file"] = results["write_a_file"] and untouched
     return results

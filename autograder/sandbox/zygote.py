@@ -172,7 +172,9 @@ class Zygote:
         )
         lockdown.limit_resources(limits)
         lockdown.confine(ruleset, self._filter)
-        os.dup2(os.open(os.devnull, os.O_WRONLY), 2)
+        nothing = os.open(os.devnull, os.O_WRONLY)
+        os.dup2(nothing, 2)
+        os.close(nothing)
         serve(socket.socket(fileno=descriptor), self._notebook)
 
     def _reap(self) -> None:

@@ -82,11 +82,19 @@ figures.polar_line(r=1.8, alpha=math.radians(35))
 
 # %% demo=true
 figures.polar_lines(
-    [(2, 0), (2, math.pi / 4), (1, math.pi / 4), (2, 3 * math.pi / 4), (2, -math.pi / 2), (1, math.pi)]
+    [
+        (2, 0),
+        (2, math.pi / 4),
+        (1, math.pi / 4),
+        (2, 3 * math.pi / 4),
+        (2, -math.pi / 2),
+        (1, math.pi),
+    ]
 )
 
 # %% [markdown]
 # A line is a pair of numbers for us, and gets a name of its own:
+
 
 # %%
 class Line(NamedTuple):

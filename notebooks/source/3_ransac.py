@@ -25,6 +25,7 @@ from notebooks import figures
 # From chapter 2 we need a line, its fit and the distances from it. The fit here is OpenCV's, so that this chapter does
 # not depend on the last one; it finds the same line as yours.
 
+
 # %%
 class Line(NamedTuple):
     """A line x cos(alpha) + y sin(alpha) = r."""
@@ -231,6 +232,7 @@ figures.cloud(bricks.points, bricks.colors)
 # %% [markdown]
 # For planes we need the counterparts of the functions for lines. A plane has a unit normal $\mathbf{n}$ and a distance $r$
 # from the origin, and holds the points with $\mathbf{n} \cdot \mathbf{p} = r$:
+
 
 # %%
 class Plane(NamedTuple):

@@ -53,6 +53,13 @@ def test_killian_court_has_3873_scans_of_180_beams_in_centimetre_steps():
     assert (scans.ranges >= 49).mean() == pytest.approx(0.014, abs=5e-4)
 
 
+def test_killian_ranges_beyond_four_metres_come_in_steps_of_five_centimetres():
+    centimetres = np.rint(data.killian_court().ranges * 100).astype(int)
+    far = centimetres[(centimetres >= 400) & (centimetres < 4900)]
+    assert np.isin(far % 5, [0, 1, 2]).mean() > 0.98
+    assert (far % 5 == 1).mean() > 0.85
+
+
 def test_killian_beams_run_from_right_to_left():
     angles = data.killian_court().angles
     assert angles[0] == pytest.approx(-np.pi / 2)
@@ -167,10 +174,25 @@ def test_a_damaged_array_file_is_named(elsewhere):
 
 def test_a_damaged_or_missing_photograph_is_named(elsewhere):
     (elsewhere / "campus/queries/0508.jpg").write_bytes(b"no picture")
-    with pytest.raises(data.DataError, match=r"0508.jpg is damaged"):
+    with pytest.raises(data.DataError, match=r"0508.jpg is damaged.*data\.build"):
         data.campus_queries.__wrapped__()
     (elsewhere / "campus/walk/0491.jpg").unlink()
-    with pytest.raises(data.DataError, match=r"19 photographs instead of 20"):
+    with pytest.raises(data.DataError, match=r"walk/0491.jpg is missing.*data\.build"):
+        data.campus_photographs.__wrapped__()
+
+
+def test_a_photograph_that_still_decodes_with_one_wrong_byte_is_named(elsewhere):
+    path = elsewhere / "campus/walk/0497.jpg"
+    content = bytearray(path.read_bytes())
+    content[len(content) // 2] ^= 0xFF
+    path.write_bytes(content)
+    with pytest.raises(data.DataError, match=r"0497.jpg is damaged"):
+        data.campus_photographs.__wrapped__()
+
+
+def test_missing_checksums_are_named(elsewhere):
+    (elsewhere / "checksums.txt").unlink()
+    with pytest.raises(data.DataError, match=r"checksums.txt is missing.*data\.build"):
         data.campus_photographs.__wrapped__()
 
 

@@ -21,7 +21,7 @@ def source(*names: str) -> str:
     return "\n".join((_HERE / name).read_text(encoding="utf-8") for name in names)
 
 
-class CourseWidget(anywidget.AnyWidget):  # type: ignore[misc]
+class CourseWidget(anywidget.AnyWidget):
     """A widget whose truth lies in the desk's files and never in the browser.
 
     The browser sends ``{"seq": n, "do": name, ...}``. The method ``do_name`` acts, the state is

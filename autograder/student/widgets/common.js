@@ -1,6 +1,9 @@
 // Helpers that every widget of the course uses. They stand before the widget's own module.
 
 const BUSY_AFTER = 1500; // ms without a reply until we say that the answer waits
+const REPLY_WITHIN = 1000; // ms after the kernel is done in which its reply may still arrive
+const WATCH_EVERY = 500; // ms between two looks at whether the kernel has ended
+const ENDED = ["restarting", "autorestarting", "terminating", "dead"];
 
 // An element with attributes and children; `on...` attributes are listeners.
 function make(tag, attributes = {}, ...children) {
@@ -44,6 +47,18 @@ function keepKeys(...elements) {
   for (const element of elements) element.setAttribute("data-lm-suppress-shortcuts", "true");
 }
 
+// The widget manager's own model, which alone knows whether its kernel is still there. anywidget does
+// not hand it out, but every event of a change does.
+function ownModel(model) {
+  let own = null;
+  const take = (changed) => (own = changed);
+  model.on("change:ag_probe", take);
+  model.set("ag_probe", true);
+  model.off("change:ag_probe", take);
+  model.set("ag_probe", undefined, { unset: true });
+  return own;
+}
+
 // The line to the kernel. An answer counts as kept when the kernel has said so, and not before.
 //
 //   tell(text, kind)   shows a sentence; kind is "", "waiting", "kept" or "lost"
@@ -52,12 +67,17 @@ function keepKeys(...elements) {
 //
 // Returns `send(message)`, a promise of the reply, or of null where the answer was not kept.
 function connect({ model, el, tell, live, draw }) {
+  const own = ownModel(model);
   const waiting = new Map();
   let next = 1;
   let gone = false;
   let timer = null;
 
-  const disconnected = () => el.closest(".jupyter-widgets-disconnected") !== null;
+  function disconnected() {
+    if (own?.comm_live === false) return true;
+    const kernel = own?.widget_manager?.kernel;
+    return kernel === null || ENDED.includes(kernel?.status);
+  }
 
   function lose() {
     if (gone) return;
@@ -84,7 +104,7 @@ function connect({ model, el, tell, live, draw }) {
     return new Promise((resolve) => {
       waiting.set(seq, { resolve, matters });
       try {
-        model.send({ ...message, seq });
+        model.send({ ...message, seq }, { iopub: { status: (reply) => idle(reply, seq) } });
       } catch {
         lose();
         return;
@@ -96,6 +116,13 @@ function connect({ model, el, tell, live, draw }) {
         else if (waiting.size) tell("The kernel is busy. This wakes up when it is done.", "waiting");
       }, BUSY_AFTER);
     });
+  }
+
+  // The kernel is done with the message and has not answered: it does not know this widget any more.
+  function idle(reply, seq) {
+    if (reply.content.execution_state === "idle") {
+      setTimeout(() => waiting.has(seq) && lose(), REPLY_WITHIN);
+    }
   }
 
   model.on("msg:custom", (reply) => {
@@ -113,7 +140,11 @@ function connect({ model, el, tell, live, draw }) {
   });
   // While answers are on their way, what comes back may be older than what is on the screen.
   model.on("change:state", () => waiting.size === 0 && draw());
-  model.on("comm_live_update", () => setTimeout(() => disconnected() && lose(), 0));
+  model.on("comm_live_update", () => disconnected() && lose());
+  const watch = setInterval(() => {
+    if (gone || !el.isConnected) clearInterval(watch);
+    else if (disconnected()) lose();
+  }, WATCH_EVERY);
 
   draw();
   live(false);

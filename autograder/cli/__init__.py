@@ -1,0 +1,71 @@
+"""The command line: one command a file; this one finds the command and turns errors to sentences.
+
+A command's module has ``add(commands)``, which describes its arguments, and the function that it
+sets as ``run``: it takes the parsed arguments and a console and returns the exit status.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+from rich.console import Console
+
+from autograder.cli import (
+    build,
+    check,
+    doctor,
+    grade,
+    note,
+    override,
+    regrade,
+    show,
+)
+from autograder.cli.status import BROKEN, DONE, WRONG_USAGE
+from autograder.errors import AutograderError, UsageError
+
+__all__ = ["BROKEN", "DONE", "WRONG_USAGE", "main"]
+
+_COMMANDS = (grade, regrade, show, override, note, check, build, doctor)
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run one command and return the exit status.
+
+    0: done, whatever the marks; 1: the course or the run is broken; 2: wrong usage.
+    """
+    parsed = _parser().parse_args(arguments)
+    console = Console(highlight=False)
+    try:
+        return int(parsed.run(parsed, console))
+    except UsageError as error:
+        print(f"autograder: {error}", file=sys.stderr)
+        return WRONG_USAGE
+    except AutograderError as error:
+        print(f"autograder: {error}", file=sys.stderr)
+        return BROKEN
+    except KeyboardInterrupt:
+        print(
+            "autograder: stopped. What was graded is kept; run it again to go on.", file=sys.stderr
+        )
+        return BROKEN
+    except BrokenPipeError:  # `autograder show ada | head`
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return DONE
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        prog="autograder",
+        description="Mark a course, see how the class did, and write the notebooks.",
+    )
+    parser.add_argument(
+        "--course", type=Path, metavar="DIR", help="the course's folder (default: found from here)"
+    )
+    commands = parser.add_subparsers(required=True, metavar="COMMAND")
+    for command in _COMMANDS:
+        command.add(commands)
+    return parser

@@ -1,0 +1,87 @@
+"""What several commands share: arguments, the course, and output for machines."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+from pathlib import Path
+from typing import Any
+
+from autograder.course import Course, load_course
+
+Commands = Any  # argparse has no public name for what add_subparsers returns
+GRADEBOOK = "gradebook.db"
+
+
+def load(parsed: argparse.Namespace) -> Course:
+    """The course that the arguments name."""
+    return load_course(parsed.course)
+
+
+def gradebook_path(parsed: argparse.Namespace) -> Path:
+    """The gradebook in the folder that ``--out`` names."""
+    path: Path = parsed.out / GRADEBOOK
+    return path
+
+
+def add_out(command: argparse.ArgumentParser) -> None:
+    """The folder of the gradebook and the reports."""
+    command.add_argument(
+        "--out",
+        type=Path,
+        default=Path("grades"),
+        metavar="DIR",
+        help="the folder of the gradebook and the reports (default: grades)",
+    )
+
+
+def add_json(command: argparse.ArgumentParser) -> None:
+    """Output for machines."""
+    command.add_argument("--json", action="store_true", help="print JSON")
+
+
+def add_grading(command: argparse.ArgumentParser) -> None:
+    """What `grade` and `regrade` have in common."""
+    add_out(command)
+    command.add_argument(
+        "--jobs", type=_positive, default=os.cpu_count() or 1, metavar="N", help="how many at once"
+    )
+    command.add_argument(
+        "--question", action="append", metavar="ID", help="mark only this question (repeatable)"
+    )
+    command.add_argument(
+        "--seed", type=int, metavar="N", help="of the hidden inputs (default: the last run's)"
+    )
+    command.add_argument(
+        "--no-sandbox",
+        action="store_true",
+        help="run submissions with your own rights, only if you trust them; reports will say so",
+    )
+    command.add_argument(
+        "--dry-run", action="store_true", help="show what would change, and write nothing"
+    )
+    command.add_argument(
+        "--explanations",
+        action=argparse.BooleanOptionalAction,
+        help="whether the feedback for students explains the answers (default: as last time; no)",
+    )
+    command.add_argument(
+        "--class-list",
+        type=Path,
+        metavar="FILE",
+        help="class list and late policy (default: class.toml in the --out folder, if it is there)",
+    )
+    add_json(command)
+
+
+def print_json(value: Any) -> None:
+    """Write JSON to standard output; other characters than ASCII are escaped."""
+    print(json.dumps(value, indent=1))
+
+
+def _positive(text: str) -> int:
+    number = int(text)
+    if number < 1:
+        raise argparse.ArgumentTypeError("give a number of at least 1")
+    return number

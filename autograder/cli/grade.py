@@ -1,0 +1,44 @@
+"""``autograder grade``: mark submissions and write the reports."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from rich.console import Console
+
+from autograder.cli.common import Commands, add_grading, gradebook_path, load
+from autograder.errors import UsageError
+
+
+def add(commands: Commands) -> None:
+    """Describe the command."""
+    grade = commands.add_parser("grade", help="mark submissions and write the reports")
+    grade.add_argument(
+        "paths",
+        nargs="+",
+        type=Path,
+        metavar="PATH",
+        help="a zip, a notebook, a folder of one student, or a folder of submissions",
+    )
+    grade.add_argument("--regrade", action="store_true", help="mark again what was marked before")
+    add_grading(grade)
+    grade.set_defaults(run=run)
+
+
+def run(parsed: argparse.Namespace, console: Console) -> int:
+    """Grade what is at the paths; what was graded before with the same key is not run again."""
+    from autograder.cli.grading_run import grade_and_report
+    from autograder.gradebook import Gradebook
+    from autograder.submissions import find_submissions
+
+    course = load(parsed)
+    assert course.key  # a broken key is said before anything runs
+    for path in parsed.paths:
+        if not path.exists():
+            raise UsageError(f"There is nothing at {path}; name a file or folder that exists.")
+    submissions = find_submissions(parsed.paths, course.settings)
+    if not submissions:
+        raise UsageError(f"There are no submissions in {', '.join(map(str, parsed.paths))}.")
+    with Gradebook(gradebook_path(parsed), create=not parsed.dry_run) as book:
+        return grade_and_report(parsed, console, course, book, submissions, parsed.regrade)

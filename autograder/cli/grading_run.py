@@ -1,0 +1,122 @@
+"""One run of the grader, from submissions to reports: what `grade` and `regrade` do."""
+
+from __future__ import annotations
+
+import argparse
+import secrets
+import time
+from functools import partial
+
+from rich.console import Console
+
+from autograder.cli.common import print_json
+from autograder.cli.status import DONE
+from autograder.course import Course
+from autograder.gradebook import Gradebook, Record, Run
+from autograder.grading import Graded, grade_all
+from autograder.marker import Marker
+from autograder.regrading import Change, changes
+from autograder.reports.machine import change_fields, record_fields
+from autograder.reports.terminal import print_changes, print_table, progress_bar
+from autograder.reports.write import Options, write_reports
+from autograder.sandbox.launcher import NO_SANDBOX, Isolation, isolation_text
+from autograder.submissions import Submission
+
+
+def grade_and_report(
+    parsed: argparse.Namespace,
+    console: Console,
+    course: Course,
+    book: Gradebook,
+    submissions: list[Submission],
+    regrade: bool,
+) -> int:
+    """Grade, show what changed, and (unless it is a dry run) keep it and write the reports."""
+    questions = frozenset(course.question(id).id for id in parsed.question or ()) or None
+    before = {record.student: record for record in book.records()}
+    isolation: Isolation = "none" if parsed.no_sandbox else "auto"
+    jobs = min(parsed.jobs, len(submissions))
+    run = _choose_run(parsed, course, book, regrade, isolation, jobs)
+    marker = Marker(course, run.seed)
+    known = None
+    if questions is None and not parsed.dry_run:
+        known = partial(book.find, run=run, questions=course.questions.keys())
+    graded: list[Graded] = []
+    began = time.monotonic()
+    with progress_bar() as progress:
+        task = progress.add_task("", total=len(submissions))
+
+        def done(entry: Graded) -> None:
+            graded.append(entry)
+            if not parsed.dry_run:
+                book.store(entry, run, whole=questions is None)
+            progress.advance(task)
+
+        grade_all(submissions, marker, jobs, done, questions, known, isolation)
+    changed = changes(before, graded)
+    if parsed.dry_run:
+        _tell_dry_run(parsed, console, before, changed, len(graded))
+        return DONE
+    book.finish_run(run, time.monotonic() - began)
+    if parsed.explanations is not None:
+        book.set("explanations", "yes" if parsed.explanations else "no")
+    students = {submission.student for submission in submissions}
+    options = Options(parsed.out, parsed.class_list, students)
+    written = write_reports(course, book, options, console)
+    records = [record for record in book.records() if record.student in students]
+    if parsed.json:
+        print_json(
+            {
+                "gradebook": str(book.path),
+                "run": {"id": run.id, "seed": run.seed, "isolation": run.isolation},
+                "students": [record_fields(course, record) for record in records],
+                "changed": [change_fields(change) for change in changed],
+            }
+        )
+        return DONE
+    if console.is_terminal:
+        print_table(console, course, records)
+    if changed:
+        print_changes(console, before, changed)
+    console.print(f"{len(submissions)} graded; {written}.", soft_wrap=True, markup=False)
+    return DONE
+
+
+def _choose_run(
+    parsed: argparse.Namespace,
+    course: Course,
+    book: Gradebook,
+    regrade: bool,
+    isolation: Isolation,
+    jobs: int,
+) -> Run:
+    """The last run goes on, unless the key, the seed or the wish to regrade asks for a new one.
+
+    So does grading with the sandbox after a run without it, and the other way round.
+
+    A new run draws the same hidden inputs as the last: what changes is then the key's doing.
+    """
+    last = book.last_run()
+    seed = last.seed if last else secrets.randbits(32)
+    if parsed.seed is not None:
+        seed = parsed.seed
+    if parsed.dry_run:
+        return Run(0, course.version, seed)
+    same_key = last is not None and (last.course_version, last.seed) == (course.version, seed)
+    if last and same_key and not regrade and (last.isolation == NO_SANDBOX) == parsed.no_sandbox:
+        return last
+    return book.begin_run(course.version, seed, isolation_text(course, isolation, jobs))
+
+
+def _tell_dry_run(
+    parsed: argparse.Namespace,
+    console: Console,
+    before: dict[str, Record],
+    changed: list[Change],
+    count: int,
+) -> None:
+    if parsed.json:
+        print_json({"dry_run": True, "changed": [change_fields(change) for change in changed]})
+        return
+    print_changes(console, before, changed)
+    console.print(f"{count} graded on trial; nothing was written.")

@@ -1,0 +1,50 @@
+"""``autograder regrade``: mark the whole class again, from where its work was found."""
+
+from __future__ import annotations
+
+import argparse
+
+from rich.console import Console
+
+from autograder.cli.common import Commands, add_grading, gradebook_path, load
+from autograder.errors import UsageError
+
+
+def add(commands: Commands) -> None:
+    """Describe the command."""
+    regrade = commands.add_parser(
+        "regrade", help="mark the class again, after the key has changed; see --dry-run"
+    )
+    regrade.add_argument(
+        "students", nargs="*", metavar="STUDENT", help="only these (default: everybody)"
+    )
+    add_grading(regrade)
+    regrade.set_defaults(run=run)
+
+
+def run(parsed: argparse.Namespace, console: Console) -> int:
+    """Grade again what the gradebook knows; work that has gone keeps its marks, and is named."""
+    from autograder.cli.grading_run import grade_and_report
+    from autograder.gradebook import Gradebook
+    from autograder.reports.terminal import warn
+
+    course = load(parsed)
+    assert course.key  # a broken key is said before anything runs
+    with Gradebook(gradebook_path(parsed), create=False) as book:
+        chosen = (
+            [book.record(student) for student in parsed.students]
+            if parsed.students
+            else book.records()
+        )
+        for record in chosen:
+            if not record.graded.submission.path.exists():
+                warn(
+                    f"The work of {record.student} is no longer at "
+                    f"{record.graded.submission.path}; its marks stay as they are."
+                )
+        submissions = [
+            record.graded.submission for record in chosen if record.graded.submission.path.exists()
+        ]
+        if not submissions:
+            raise UsageError("There is nothing to grade again; run `autograder grade PATH`.")
+        return grade_and_report(parsed, console, course, book, submissions, regrade=True)

@@ -1,0 +1,286 @@
+"""Reading and writing the gradebook."""
+
+from __future__ import annotations
+
+import json
+import os
+import sqlite3
+from collections.abc import Collection, Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Any
+from urllib.parse import unquote_to_bytes
+
+from autograder.errors import UsageError
+from autograder.gradebook.record import Note, Override, Record
+from autograder.gradebook.schema import connect, readable_errors
+from autograder.grading import Graded
+from autograder.marking import Mark
+from autograder.submissions import Submission
+
+
+@dataclass(frozen=True)
+class Run:
+    """One run of the grader: the key and the seed that decide the marks."""
+
+    id: int
+    course_version: str
+    seed: int
+    isolation: str = ""
+    started_at: str = ""
+    seconds: float = 0.0
+
+
+class Gradebook:
+    """Submissions and marks; every write is one transaction, readers may look on meanwhile."""
+
+    def __init__(self, path: Path, create: bool = True) -> None:
+        """Open the gradebook, or begin one.
+
+        Raises:
+            GradebookError: if the file is damaged, something else or from a newer version, or if it
+                is missing and ``create`` is false.
+        """
+        self.path = path
+        self._db = connect(path, create)
+
+    def __enter__(self) -> Gradebook:
+        return self
+
+    def __exit__(self, *exception: object) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """Close the file."""
+        self._db.close()
+
+    @contextmanager
+    def _transaction(self) -> Iterator[sqlite3.Connection]:
+        with readable_errors(self.path):
+            self._db.execute("BEGIN IMMEDIATE")
+            try:
+                yield self._db
+            except BaseException:
+                self._db.execute("ROLLBACK")
+                raise
+            self._db.execute("COMMIT")
+
+    def _rows(self, query: str, values: tuple[Any, ...] = ()) -> list[Any]:
+        with readable_errors(self.path):
+            return self._db.execute(query, values).fetchall()
+
+    # Runs
+
+    def last_run(self) -> Run | None:
+        """The latest run, if there was one."""
+        rows = self._rows(
+            "SELECT id, course_version, seed, isolation, started_at, seconds "
+            "FROM run ORDER BY id DESC LIMIT 1"
+        )
+        return Run(*rows[0]) if rows else None
+
+    def begin_run(self, course_version: str, seed: int, isolation: str) -> Run:
+        """Note a new run."""
+        started = _now()
+        with self._transaction() as db:
+            cursor = db.execute(
+                "INSERT INTO run (course_version, seed, isolation, started_at) VALUES (?, ?, ?, ?)",
+                (course_version, seed, isolation, started),
+            )
+        assert cursor.lastrowid is not None
+        return Run(cursor.lastrowid, course_version, seed, isolation, started)
+
+    def finish_run(self, run: Run, seconds: float) -> None:
+        """Note that everything of a run was graded; a run that was resumed adds up."""
+        with self._transaction() as db:
+            db.execute(
+                "UPDATE run SET finished_at = ?, seconds = seconds + ? WHERE id = ?",
+                (_now(), seconds, run.id),
+            )
+
+    # Submissions and marks
+
+    def store(self, graded: Graded, run: Run, whole: bool = True) -> None:
+        """Write one submission and its marks, all or nothing.
+
+        Unless the ``whole`` of it was graded, earlier marks of other questions stay. Overrides stay
+        always.
+        """
+        with self._transaction() as db:
+            if whole:
+                db.execute("DELETE FROM mark WHERE student = ?", (graded.submission.student,))
+            db.execute(
+                "INSERT INTO submission (student, path, fingerprint, status, notes, run, seconds) "
+                "VALUES (?, ?, ?, ?, ?, ?, ?) ON CONFLICT (student) DO UPDATE "
+                "SET path = excluded.path, fingerprint = excluded.fingerprint, "
+                "status = excluded.status, notes = excluded.notes, run = excluded.run, "
+                "seconds = excluded.seconds",
+                (
+                    graded.submission.student,
+                    _path_to_text(graded.submission.path),
+                    graded.fingerprint,
+                    graded.status,
+                    json.dumps(graded.notes),
+                    run.id,
+                    graded.seconds,
+                ),
+            )
+            db.executemany(
+                "INSERT OR REPLACE INTO mark VALUES (?, ?, ?, ?)",
+                [
+                    (graded.submission.student, m.question, run.id, json.dumps(m.to_dict()))
+                    for m in graded.marks
+                ],
+            )
+
+    def find(
+        self, student: str, fingerprint: str, run: Run, questions: Collection[str] = ()
+    ) -> Graded | None:
+        """What was graded before: the same work, in the same run, with a mark for each question."""
+        rows = self._rows(
+            "SELECT path, status, notes, seconds FROM submission "
+            "WHERE student = ? AND fingerprint = ? AND run = ? AND status = 'graded'",
+            (student, fingerprint, run.id),
+        )
+        marked = self._rows(
+            "SELECT question FROM mark WHERE student = ? AND run = ?", (student, run.id)
+        )
+        if not rows or not {question for (question,) in marked} >= set(questions):
+            return None
+        path, status, notes, seconds = rows[0]
+        marks = self._marks("WHERE student = ?", (student,))[student]
+        submission = Submission(student, _path_from_text(path))
+        return Graded(submission, status, fingerprint, marks, tuple(json.loads(notes)), seconds)
+
+    def records(self) -> list[Record]:
+        """Everything about every student, by name, as of one moment."""
+        with readable_errors(self.path):
+            self._db.execute("BEGIN")
+            try:
+                return self._read_records()
+            finally:
+                self._db.execute("COMMIT")
+
+    def record(self, student: str) -> Record:
+        """Everything about one student; upper and lower case do not matter.
+
+        Raises:
+            UsageError: if there is no such student; the sentence names those that are near.
+        """
+        records = self.records()
+        for matches in (str.__eq__, lambda a, b: a.casefold() == b.casefold()):
+            for record in records:
+                if matches(record.student, student):
+                    return record
+        near = [r.student for r in records if student.casefold() in r.student.casefold()]
+        said = ", ".join(near[:5]) or f"{len(records)} others"
+        raise UsageError(f"The gradebook has no student {student!r}; it has {said}.")
+
+    def _read_records(self) -> list[Record]:
+        marks = self._marks()
+        overrides: dict[str, dict[str, Override]] = {}
+        for student, question, points, reason, made_at in self._rows(
+            "SELECT student, question, points, reason, made_at FROM override ORDER BY id"
+        ):
+            of_student = overrides.setdefault(student, {})
+            of_student.pop(question, None)
+            if points is not None:
+                of_student[question] = Override(student, question, points, reason, made_at)
+        notes: dict[str, list[Note]] = {}
+        for row in self._rows("SELECT student, text, made_at FROM note ORDER BY id"):
+            notes.setdefault(row[0], []).append(Note(*row))
+        return [
+            Record(
+                Graded(
+                    Submission(student, _path_from_text(path)),
+                    status,
+                    fingerprint,
+                    marks.get(student, ()),
+                    tuple(json.loads(odd)),
+                    seconds,
+                ),
+                run,
+                seed,
+                overrides.get(student, {}),
+                tuple(notes.get(student, ())),
+                *late,
+            )
+            for student, path, fingerprint, status, odd, seconds, run, seed, *late in self._rows(
+                "SELECT student, path, fingerprint, status, notes, submission.seconds, run, seed, "
+                "handed_in, late_days, late_percent "
+                "FROM submission JOIN run ON run.id = submission.run ORDER BY student"
+            )
+        ]
+
+    def _marks(self, where: str = "", values: tuple[Any, ...] = ()) -> dict[str, tuple[Mark, ...]]:
+        marks: dict[str, list[Mark]] = {}
+        for student, text in self._rows(
+            f"SELECT student, mark FROM mark {where} ORDER BY rowid", values
+        ):
+            marks.setdefault(student, []).append(Mark.from_dict(json.loads(text)))
+        return {student: tuple(found) for student, found in marks.items()}
+
+    # What people decide
+
+    def override(self, student: str, question: str, points: float | None, reason: str) -> None:
+        """Give points in place of a mark's; None withdraws the override."""
+        with self._transaction() as db:
+            db.execute(
+                "INSERT INTO override (student, question, points, reason, made_at) "
+                "VALUES (?, ?, ?, ?, ?)",
+                (student, question, points, reason, _now()),
+            )
+
+    def overrides(self, student: str) -> list[tuple[str, float | None, str, str]]:
+        """Every override there ever was: question, points (None: withdrawn), reason, time."""
+        return self._rows(
+            "SELECT question, points, reason, made_at FROM override WHERE student = ? ORDER BY id",
+            (student,),
+        )
+
+    def note(self, student: str, text: str) -> None:
+        """Add a remark about a student."""
+        with self._transaction() as db:
+            db.execute(
+                "INSERT INTO note (student, text, made_at) VALUES (?, ?, ?)",
+                (student, text, _now()),
+            )
+
+    def set_lateness(self, late: Mapping[str, tuple[str | None, int, float]]) -> None:
+        """Write for each student when it was handed in, the days late and the percent they cost."""
+        with self._transaction() as db:
+            db.executemany(
+                "UPDATE submission SET handed_in = ?, late_days = ?, late_percent = ? "
+                "WHERE student = ?",
+                [(*values, student) for student, values in late.items()],
+            )
+
+    def setting(self, name: str) -> str | None:
+        """What was set under a name, None if nothing was."""
+        rows = self._rows("SELECT value FROM setting WHERE name = ?", (name,))
+        return rows[0][0] if rows else None
+
+    def set(self, name: str, value: str) -> None:
+        """Keep a setting."""
+        with self._transaction() as db:
+            db.execute("INSERT OR REPLACE INTO setting VALUES (?, ?)", (name, value))
+
+
+def _now() -> str:
+    return datetime.now(UTC).isoformat(timespec="seconds")
+
+
+def _path_to_text(path: Path) -> str:
+    try:
+        str(path).encode()
+    except UnicodeEncodeError:  # a name that is no UTF-8, which SQLite would refuse
+        return path.as_uri()
+    return str(path)
+
+
+def _path_from_text(text: str) -> Path:
+    if text.startswith("file://"):
+        return Path(os.fsdecode(unquote_to_bytes(text.removeprefix("file://"))))
+    return Path(text)

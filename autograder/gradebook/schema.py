@@ -1,0 +1,159 @@
+"""The gradebook's tables, its versions, and opening the file without ever harming it."""
+
+from __future__ import annotations
+
+import sqlite3
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from urllib.parse import quote
+
+from autograder.errors import AutograderError
+
+BUSY_SECONDS = 30.0  # how long a writer waits for another one
+
+# One step for each version: a new file takes all of them, an old one those that it lacks.
+_STEPS = (
+    """
+CREATE TABLE run (
+    id INTEGER PRIMARY KEY,
+    course_version TEXT NOT NULL,  -- fingerprint of questions, answers and references
+    seed INTEGER NOT NULL,         -- draws the hidden inputs again
+    isolation TEXT NOT NULL,       -- what kept student code in
+    started_at TEXT NOT NULL       -- UTC, ISO 8601
+) STRICT;
+CREATE TABLE submission (
+    student TEXT PRIMARY KEY,
+    path TEXT NOT NULL,
+    fingerprint TEXT NOT NULL,     -- hash of what was handed in, empty if unreadable
+    status TEXT NOT NULL,          -- graded or unreadable
+    notes TEXT NOT NULL,           -- JSON list: what was odd about the files
+    run INTEGER NOT NULL REFERENCES run(id)
+) STRICT;
+CREATE TABLE mark (
+    student TEXT NOT NULL REFERENCES submission(student) ON DELETE CASCADE,
+    question TEXT NOT NULL,
+    run INTEGER NOT NULL REFERENCES run(id),
+    mark TEXT NOT NULL,            -- JSON, as Mark.to_dict
+    PRIMARY KEY (student, question)
+) STRICT;
+""",
+    """
+-- NULL if it was stopped
+ALTER TABLE run ADD COLUMN finished_at TEXT;
+ALTER TABLE run ADD COLUMN seconds REAL NOT NULL DEFAULT 0;
+-- how long running and marking it took
+ALTER TABLE submission ADD COLUMN seconds REAL NOT NULL DEFAULT 0;
+-- UTC, ISO 8601
+ALTER TABLE submission ADD COLUMN handed_in TEXT;
+ALTER TABLE submission ADD COLUMN late_days INTEGER NOT NULL DEFAULT 0;
+ALTER TABLE submission ADD COLUMN late_percent REAL NOT NULL DEFAULT 0;
+CREATE TABLE override (            -- the latest for a student and a question counts
+    id INTEGER PRIMARY KEY,
+    student TEXT NOT NULL,
+    question TEXT NOT NULL,
+    points REAL,                   -- NULL withdraws the one before
+    reason TEXT NOT NULL,
+    made_at TEXT NOT NULL
+) STRICT;
+CREATE TABLE note (
+    id INTEGER PRIMARY KEY,
+    student TEXT NOT NULL,
+    text TEXT NOT NULL,
+    made_at TEXT NOT NULL
+) STRICT;
+CREATE TABLE setting (name TEXT PRIMARY KEY, value TEXT NOT NULL) STRICT;
+""",
+)
+SCHEMA_VERSION = len(_STEPS)
+
+
+class GradebookError(AutograderError):
+    """The gradebook cannot be read or written; it is never overwritten."""
+
+
+def connect(path: Path, create: bool) -> sqlite3.Connection:
+    """Open the file, begin it if ``create`` says so, and bring an older one up to date.
+
+    Raises:
+        GradebookError: if it is missing, damaged, something else, or from a newer version.
+    """
+    if not path.exists() and not create:
+        raise GradebookError(
+            f"There is no gradebook at {path}; run `autograder grade` first, or name its folder "
+            "with --out."
+        )
+    with readable_errors(path):
+        path.parent.mkdir(parents=True, exist_ok=True)
+        mode = "rwc" if create else "rw"
+        db = sqlite3.connect(
+            f"file:{quote(str(path.absolute()))}?mode={mode}",
+            uri=True,
+            timeout=BUSY_SECONDS,
+            isolation_level=None,
+        )
+        try:
+            version = _version(db, path)
+            if version == SCHEMA_VERSION:
+                trouble = db.execute("PRAGMA quick_check(1)").fetchone()[0]
+                if trouble != "ok":
+                    raise sqlite3.DatabaseError(trouble)
+            else:
+                _bring_up_to_date(db, path)
+            db.execute("PRAGMA foreign_keys = ON")
+        except BaseException:
+            db.close()
+            raise
+    return db
+
+
+@contextmanager
+def readable_errors(path: Path) -> Iterator[None]:
+    """Say in one sentence what SQLite or the system reports."""
+    try:
+        yield
+    except sqlite3.OperationalError as error:
+        raise GradebookError(
+            f"{path} cannot be used now ({error}); if another autograder is writing there, wait "
+            "for it, otherwise check the disk and the folder's permissions."
+        ) from None
+    except sqlite3.DatabaseError as error:
+        raise GradebookError(
+            f"{path} cannot be read as a gradebook ({error}); "
+            "restore it from a copy, or move it away and grade again."
+        ) from None
+    except OSError as error:
+        raise GradebookError(
+            f"{path} cannot be written ({error}); choose another folder with --out."
+        ) from None
+
+
+def _version(db: sqlite3.Connection, path: Path) -> int:
+    version = int(db.execute("PRAGMA user_version").fetchone()[0])
+    tables = db.execute("SELECT count(*) FROM sqlite_schema").fetchone()[0]
+    if version == 0 and tables:
+        raise GradebookError(
+            f"{path} is a database, but no gradebook; move it away or choose another --out."
+        )
+    if version > SCHEMA_VERSION:
+        raise GradebookError(
+            f"{path} has schema {version}, this autograder knows {SCHEMA_VERSION}; "
+            "use the version that wrote it, or choose another --out."
+        )
+    return version
+
+
+def _bring_up_to_date(db: sqlite3.Connection, path: Path) -> None:
+    db.execute("PRAGMA journal_mode = WAL")  # readers look on while grading writes
+    db.execute("BEGIN IMMEDIATE")
+    try:
+        # Again, under the lock: two graders may begin the same file at once.
+        for step in _STEPS[_version(db, path) :]:
+            for statement in step.split(";\n"):
+                if statement.strip():
+                    db.execute(statement)
+        db.execute(f"PRAGMA user_version = {SCHEMA_VERSION}")
+    except BaseException:
+        db.execute("ROLLBACK")
+        raise
+    db.execute("COMMIT")

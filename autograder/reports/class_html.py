@@ -1,0 +1,254 @@
+"""``class.html``: how the class did, which questions look broken, who needs help."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from autograder.course import Course
+from autograder.gradebook import Record, Run
+from autograder.reports.machine import most_points
+from autograder.reports.markdown import inline, text
+from autograder.reports.page import page, table
+from autograder.reports.statistics import (
+    FEWEST,
+    STOPPED,
+    Mistake,
+    QuestionStatistics,
+    common_mistakes,
+    question_statistics,
+    who_needs_help,
+)
+from autograder.reports.svg import (
+    BLUE,
+    DARK,
+    GREY,
+    ORANGE,
+    PURPLE,
+    RED,
+    Chart,
+    histogram,
+    swatch,
+)
+
+_BANDS = (
+    (("right",), "right", BLUE),
+    (("partial",), "partly right", ORANGE),
+    (("wrong",), "wrong", RED),
+    (STOPPED, "exception, limit or unreadable", PURPLE),
+    (("not attempted", "recorded"), "not attempted", GREY),
+)
+_MOST_MISTAKES = 20
+_MOST_NAMES = 5
+
+
+def class_html(course: Course, records: Sequence[Record], run: Run | None) -> str:
+    """The page; everything on it is also in the CSV files beside it."""
+    most = most_points(course)
+    totals = np.array([record.total for record in records])
+    statistics = question_statistics(course, records)
+    header = ["<h1>The class</h1>"]
+    if not records:
+        return page("The class", header[0], "<p>Nothing was graded yet.</p>", "")
+    header.append(
+        f'<p class="total"><strong>{len(records)}</strong> submissions, median '
+        f"<strong>{np.median(totals):.4g}</strong> of {most:g} points</p>"
+        f'<p class="soft">Mean {totals.mean():.3g}, standard deviation {totals.std():.3g}, '
+        f"from {totals.min():g} to {totals.max():g}.</p>"
+    )
+    if run is not None and run.isolation:
+        header.append(f'<p class="soft">Student code was kept in by: {text(run.isolation)}.</p>')
+    sections = [
+        _section("Points", _points(totals, most)),
+        _section("Questions that look broken", _broken(statistics, len(records))),
+        _section("Questions", _questions(statistics)),
+        _section("The most common mistakes", _mistakes(common_mistakes(course, records))),
+        _section("Who needs help", _needy(course, records, most)),
+        _section("Time and failures", _time_and_failures(records, run)),
+    ]
+    footer = (
+        "<p>The same as tables: class_questions.csv, class_mistakes.csv, class_students.csv, and "
+        "grades.csv with every mark. This page names students; keep it among instructors.</p>"
+    )
+    return page("The class", "\n".join(header), "\n".join(sections), footer, wide=True)
+
+
+def _section(title: str, body: str) -> str:
+    return f"<section>\n<h2>{title}</h2>\n{body}\n</section>"
+
+
+def _points(totals: np.ndarray, most: float) -> str:
+    bins = 10 if len(totals) < 60 else 20
+    return f"<figure>{histogram(totals.tolist(), 0, most, bins, 'points', 'Points')}</figure>"
+
+
+def _broken(statistics: Sequence[QuestionStatistics], count: int) -> str:
+    entries = [
+        f"<li><strong>{text(entry.question.id)}</strong> {inline(entry.question.title)}: "
+        f"{text(' '.join(entry.troubles))}</li>"
+        for entry in statistics
+        if entry.troubles
+    ]
+    if entries:
+        return f"<ul>{''.join(entries)}</ul>"
+    if count < FEWEST:
+        return f"<p>With fewer than {FEWEST} submissions that would be guesswork.</p>"
+    return "<p>None.</p>"
+
+
+def _questions(statistics: Sequence[QuestionStatistics]) -> str:
+    key = "".join(f"<li>{swatch(colour)}{name}</li>" for _, name, colour in _BANDS)
+    rows = []
+    for entry in statistics:
+        counts = [sum(entry.statuses[s] for s in band) for band, _, _ in _BANDS]
+        rows.append(
+            [
+                f"{text(entry.question.id)} {inline(entry.question.title)}",
+                f"{entry.question.points:g}",
+                *(str(count) for count in counts),
+                "–" if entry.difficulty is None else f"{100 * entry.difficulty:.0f} %",
+                "–" if entry.discrimination is None else f"{entry.discrimination:.2f}",
+                str(entry.unnamed),
+            ]
+        )
+    header = ["question", "points", "right", "partly", "wrong", "stopped", "open"]
+    header += ["earned", "discrimination", "unnamed"]
+    return (
+        f'<div class="pair"><figure>{_bands(statistics)}<figcaption><ul class="key">{key}</ul>'
+        f"</figcaption></figure><figure>{_scatter(statistics)}<figcaption>Earned: mean share of "
+        "the points among those who tried. Discrimination: correlation of a student’s points here "
+        "with the points for all other questions; near or below 0 is suspect."
+        "</figcaption></figure></div>"
+        + table("Every question", header, rows, set(range(1, len(header))), roomy=True)
+        + '<p class="small soft">Stopped: exception, time limit, crash or unreadable. Open: not '
+        "attempted. Unnamed: wrong or partly right, and like no mistake in the key.</p>"
+    )
+
+
+def _bands(statistics: Sequence[QuestionStatistics]) -> str:
+    row = 22
+    height = 14 + row * len(statistics) + 44
+    chart = Chart(520, height, (0, 100), (len(statistics), 0), left=64)
+    said = []
+    for value in (0, 25, 50, 75, 100):
+        chart.label(chart.x(value), height - 27, f"{value}")
+    chart.label(chart.x(50), height - 6, "percent of the class")
+    for index, entry in enumerate(statistics):
+        count = max(1, sum(entry.statuses.values()))
+        start = 0.0
+        for band, _, colour in _BANDS:
+            share = 100 * sum(entry.statuses[status] for status in band) / count
+            if share:
+                chart.box(start, index + 0.12, start + share, index + 0.88, colour)
+            start += share
+        chart.label(58, chart.y(index + 0.5) + 4, entry.question.id, "end")
+        said.append(f"{entry.question.id} {100 * entry.statuses['right'] / count:.0f} % right")
+    return chart.svg("Verdicts for each question", "; ".join(said) + ".")
+
+
+def _scatter(statistics: Sequence[QuestionStatistics]) -> str:
+    placed = [
+        (100 * entry.difficulty, entry.discrimination, entry)
+        for entry in statistics
+        if entry.difficulty is not None and entry.discrimination is not None
+    ]
+    if not placed:
+        return "<p>Too few submissions to say how well a question tells students apart.</p>"
+    low = min(0.0, *(y for _, y, _ in placed)) - 0.08
+    left = max(0.0, min(x for x, _, _ in placed) - 5)
+    right = 100 + 0.14 * (100 - left)  # room for the labels
+    chart = Chart(520, 420, (left - 1, right), (low, 1.04))
+    chart.axes("percent of the points earned", "discrimination")
+    chart.line([(left - 1, 0), (right, 0)], DARK, 1.5)
+    taken: list[tuple[float, float]] = []
+    dots = [(chart.x(x), chart.y(y)) for x, y, _ in placed]
+    for x, y, entry in sorted(placed, key=lambda place: (-place[1], place[0])):
+        px, py = chart.x(x), chart.y(y)
+        label = _free_place(px + 8, py + 4, taken, dots)
+        if abs(label[1] - py - 4) > 6:
+            chart.pixel_line(px, py, label[0] - 2, label[1] - 4)
+        chart.dot(x, y, RED if entry.troubles else BLUE)
+        taken.append(label)
+        chart.label(*label, entry.question.id, "start")
+    said = "; ".join(f"{e.question.id} {x:.0f} % and {y:.2f}" for x, y, e in placed)
+    return chart.svg("Difficulty and discrimination of each question", said + ".")
+
+
+def _free_place(
+    x: float,
+    y: float,
+    labels: Sequence[tuple[float, float]],
+    dots: Sequence[tuple[float, float]],
+) -> tuple[float, float]:
+    """The nearest place for a label, above or below, that covers no other label and no dot."""
+    for shift in (0, *(sign * step for step in range(4, 400, 4) for sign in (1, -1))):
+        beside = any(abs(x - lx) < 48 and abs(y + shift - ly) < 13 for lx, ly in labels)
+        covers = any(-2 < dx - x < 46 and abs(y + shift - 4 - dy) < 10 for dx, dy in dots)
+        if not beside and not covers:
+            return x, y + shift
+    return x, y
+
+
+def _mistakes(mistakes: Sequence[Mistake]) -> str:
+    if not mistakes:
+        return "<p>Nobody made a mistake that has a name.</p>"
+    rows = [
+        [text(m.question), text(m.name), str(len(m.students)), _names(m.students)]
+        for m in mistakes[:_MOST_MISTAKES]
+    ]
+    left = len(mistakes) - _MOST_MISTAKES
+    more = f"<p>{left} more are in class_mistakes.csv.</p>" if left > 0 else ""
+    header = ["question", "mistake", "students", "for example"]
+    return table("Mistakes by how many students made them", header, rows, {2}) + more
+
+
+def _names(students: Sequence[str]) -> str:
+    named = ", ".join(text(student) for student in students[:_MOST_NAMES])
+    return named + (" …" if len(students) > _MOST_NAMES else "")
+
+
+def _needy(course: Course, records: Sequence[Record], most: float) -> str:
+    needy = who_needs_help(course, records)
+    if not needy:
+        return "<p>Nobody: everyone has at least half of the points, and all work could be run.</p>"
+    rows = [
+        [text(entry.student), f"{entry.total:g} of {most:g}", text("; ".join(entry.reasons))]
+        for entry in needy
+    ]
+    return table(f"{len(needy)} students", ["student", "points", "why"], rows, {1})
+
+
+def _time_and_failures(records: Sequence[Record], run: Run | None) -> str:
+    seconds = np.array([record.graded.seconds for record in records])
+    spent = f"{seconds.sum():.0f} s of running and marking"
+    if run is not None and run.seconds:
+        spent += f", the last run took {run.seconds:.0f} s by the clock"
+    slowest = sorted(records, key=lambda record: -record.graded.seconds)[:3]
+    named = ", ".join(f"{text(r.student)} ({r.graded.seconds:.1f} s)" for r in slowest)
+    lines = [
+        f"<p>{spent}. Median {np.median(seconds):.2g} s a submission; slowest: {named}.</p>",
+    ]
+    high = max(1.0, float(seconds.max()) * 1.02)
+    lines.append(
+        f"<figure>{histogram(seconds.tolist(), 0, high, 20, 'seconds', 'Time for each submission')}"
+        "</figure>"
+    )
+    rows = [
+        [text(record.student), text(mark.question), mark.status, text(mark.feedback)]
+        for record in records
+        if record.graded.status != "unreadable"
+        for mark in record.graded.marks
+        if mark.status in STOPPED
+    ]
+    rows += [
+        [text(record.student), "everything", "unreadable", text(" ".join(record.graded.notes))]
+        for record in records
+        if record.graded.status == "unreadable"
+    ]
+    if rows:
+        header = ["student", "question", "status", "reason"]
+        lines.append(table(f"{len(rows)} failures", header, rows, set()))
+    else:
+        lines.append("<p>No response failed to run.</p>")
+    return "\n".join(lines)

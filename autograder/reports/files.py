@@ -1,0 +1,60 @@
+"""Writing reports: whole or not at all, under names that every file system takes."""
+
+from __future__ import annotations
+
+import csv
+import hashlib
+import os
+import re
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+
+_RESERVED = {"con", "prn", "aux", "nul"} | {f"{d}{n}" for d in ("com", "lpt") for n in range(10)}
+_LONGEST = 120  # bytes
+
+
+def write_text(path: Path, text: str) -> None:
+    """Write a file; whoever reads it meanwhile sees the old one or the new one."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    unfinished = path.with_name(path.name + ".tmp")
+    unfinished.write_text(text, encoding="utf-8", errors="replace", newline="")
+    os.replace(unfinished, path)
+
+
+def write_csv(path: Path, rows: Iterable[Sequence[object]]) -> None:
+    """Write a table; no cell of text is taken for a formula by a spreadsheet."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    unfinished = path.with_name(path.name + ".tmp")
+    with unfinished.open("w", newline="", encoding="utf-8", errors="replace") as file:
+        writer = csv.writer(file)
+        for row in rows:
+            writer.writerow([cell(value) for value in row])
+    os.replace(unfinished, path)
+
+
+def cell(value: object) -> str:
+    """A value as a CSV cell: numbers as they are, text defused, nothing for None."""
+    if value is None:
+        return ""
+    if isinstance(value, bool | str):
+        return defused(str(value))
+    if isinstance(value, int | float):
+        return f"{value:g}" if abs(value) < 1e6 else repr(value)
+    return defused(str(value))
+
+
+def defused(text: str) -> str:
+    """Text that no spreadsheet takes for a formula, on one line and without control characters."""
+    text = "".join(c if c.isprintable() else " " for c in text)
+    return "'" + text if text.lstrip()[:1] in tuple("=+-@＝＋－＠|%") else text
+
+
+def file_name(student: str) -> str:
+    """A file name for a student, different for different students."""
+    plain = re.sub(r'[<>:"/\\|?*\x00-\x1f\x7f]', "_", student).strip(" .")
+    fits = len(plain.encode("utf-8", "replace")) <= _LONGEST
+    if plain and plain == student and fits and plain.casefold() not in _RESERVED:
+        return plain
+    digest = hashlib.sha256(student.encode("utf-8", "replace")).hexdigest()[:8]
+    shortened = plain.encode("utf-8", "replace")[:_LONGEST].decode("utf-8", "ignore")
+    return f"{shortened.strip(' .') or 'student'}-{digest}"

@@ -1,0 +1,87 @@
+"""Pictures of a response beside the right one, on an input that students may see.
+
+An answer names the function that describes the picture, such as
+``picture = "solutions.pictures:fitted_line"``. It takes ``(case, expected, actual)`` and returns
+None, or a dictionary: ``title``, ``alt`` (in words), ``x_label``, ``y_label``, and ``layers``, a
+list of ``{"kind": "points" or "line" or "expected", "xy": (n, 2) array, "label": text}``. The axes
+have equal scales.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from autograder.answers import FunctionAnswer
+from autograder.course import Course
+from autograder.errors import CourseError
+from autograder.marker import Marker
+from autograder.marking import Mark
+from autograder.probes import load_object
+from autograder.reports.markdown import text
+from autograder.reports.svg import BLUE, DARK, GREEN, RED, Chart, swatch
+
+_SIZE = 380.0
+_LOOKS = {"points": DARK, "expected": GREEN, "line": RED, "other": BLUE}
+
+
+class Pictures:
+    """Draws the pictures of a course's answers; the same seed draws the same inputs again."""
+
+    def __init__(self, course: Course) -> None:
+        self._course = course
+        self._markers: dict[int, Marker] = {}
+
+    def html(self, question: str, mark: Mark, seed: int) -> str:
+        """The picture of a marked response, or nothing where there is none to show."""
+        answer = self._course.key.get(question)
+        if not isinstance(answer, FunctionAnswer) or not answer.picture or mark.shown is None:
+            return ""
+        marker = self._markers.setdefault(seed, Marker(self._course, seed))
+        expected = marker.probe(question).expected
+        assert expected is not None
+        case, outcome = expected.cases[0], expected.outcomes[0]
+        if not case.get("public") or "value" not in outcome:
+            return ""
+        try:
+            described = load_object(answer.picture, self._course.root)(
+                case, outcome["value"], mark.shown
+            )
+        except CourseError:
+            raise
+        except Exception:
+            # What a student's function returned may be anything: then there is nothing to draw.
+            return ""
+        return draw(described) if described else ""
+
+
+def draw(described: dict[str, Any]) -> str:
+    """A figure with its key, from the description of a picture."""
+    layers = [
+        (layer["kind"], np.asarray(layer["xy"], dtype=float).reshape(-1, 2), str(layer["label"]))
+        for layer in described["layers"]
+    ]
+    everything = np.vstack([xy for _, xy, _ in layers])
+    if not np.isfinite(everything).all() or np.abs(everything).max() > 1e9:
+        return ""
+    low, high = everything.min(axis=0), everything.max(axis=0)
+    reach = max(float((high - low).max()), 1e-6) * 1.12
+    centre = (low + high) / 2
+    x_range, y_range = ((float(c) - reach / 2, float(c) + reach / 2) for c in centre)
+    chart = Chart(_SIZE, _SIZE - 22, x_range, y_range, left=54, right=10, top=10, bottom=44)
+    # Equal scales: the inner area is square.
+    chart.height = _SIZE - 54 - 10 + 10 + 44
+    chart.axes(str(described["x_label"]), str(described["y_label"]))
+    key = []
+    for kind, xy, label in layers:
+        colour = _LOOKS.get(kind, BLUE)
+        if kind == "points":
+            for x, y in xy:
+                chart.dot(float(x), float(y), colour)
+        else:
+            dash = "7 5" if kind == "expected" else ""
+            chart.line([(float(x), float(y)) for x, y in xy], colour, 3, dash)
+        key.append(f"<li>{swatch(colour)}{text(label)}</li>")
+    picture = chart.svg(str(described["title"]), str(described["alt"]))
+    return f'<figure>{picture}<figcaption><ul class="key">{"".join(key)}</ul></figcaption></figure>'

@@ -1,0 +1,45 @@
+"""What the feedback for a student draws: a response beside the reference, on a public input."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+
+def fitted_line(case: dict[str, Any], expected: Any, actual: Any) -> dict[str, Any] | None:
+    """Describe the points of a case, the line that fits best and the line that was returned.
+
+    Returns None if `actual` is no line, a pair of finite numbers (r, alpha).
+    """
+    points = np.asarray(case["args"][0], dtype=float)
+    r, alpha = (float(value) for value in actual)
+    if not (math.isfinite(r) and math.isfinite(alpha) and abs(r) < 1e3):
+        return None
+    offsets = np.abs(points @ [math.cos(alpha), math.sin(alpha)] - r)
+    return {
+        "title": f"Your line for {case['name']}",
+        "alt": (
+            f"{len(points)} points, the best line and the line that your function returned, "
+            f"r = {r:.3g} m and alpha = {alpha:.3g} rad. "
+            f"Your line passes the points at {offsets.max():.3g} m or less."
+        ),
+        "x_label": "x in m",
+        "y_label": "y in m",
+        "layers": [
+            {"kind": "line", "xy": _along(points, r, alpha), "label": "your line"},
+            {"kind": "expected", "xy": _along(points, *expected), "label": "the best line"},
+            {"kind": "points", "xy": points, "label": "the points"},
+        ],
+    }
+
+
+def _along(points: np.ndarray, r: float, alpha: float) -> np.ndarray:
+    """Return the two ends, shape (2, 2), of the part of a line that lies beside the points."""
+    normal = np.array([math.cos(alpha), math.sin(alpha)])
+    along = np.array([-normal[1], normal[0]])
+    centre = points.mean(axis=0)
+    foot = centre + (r - centre @ normal) * normal
+    reach = 1.1 * float(np.linalg.norm(points - centre, axis=1).max())
+    return np.array([foot - reach * along, foot + reach * along])

@@ -1,0 +1,219 @@
+"""The gradebook keeps what was decided, and never harms a file it cannot read."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import sqlite3
+from pathlib import Path
+
+import pytest
+
+from autograder.errors import UsageError
+from autograder.gradebook import SCHEMA_VERSION, Gradebook, GradebookError
+from autograder.grading import Graded
+from autograder.submissions import Submission
+from tests.classroom import fill, graded, hostile_mark, mark
+
+
+@pytest.fixture
+def path(tmp_path: Path) -> Path:
+    return tmp_path / "grades" / "gradebook.db"
+
+
+@pytest.fixture
+def book(path: Path):
+    with Gradebook(path) as book:
+        yield book
+
+
+def test_what_is_stored_is_read_again(book: Gradebook):
+    entry = graded("ada", mark("Q1", 1), mark("Q2", 0.25), notes=("odd",), seconds=1.5)
+    fill(book, entry, seed=7)
+    (record,) = book.records()
+    assert record.graded == entry
+    assert record.seed == 7
+    assert record.total == 2 + 0.5
+
+
+def test_a_second_grading_of_one_question_leaves_the_other_marks(book: Gradebook):
+    fill(book, graded("ada", mark("Q1", 0), mark("Q2", 1)))
+    run = book.begin_run("new key", 1, "none")
+    book.store(graded("ada", mark("Q1", 1)), run, whole=False)
+    assert book.record("ada").marks.keys() == {"Q1", "Q2"}
+    assert book.record("ada").total == 4
+
+
+def test_a_whole_grading_drops_the_marks_of_questions_that_are_gone(book: Gradebook):
+    fill(book, graded("ada", mark("Q1", 1), mark("Q2", 1)))
+    fill(book, graded("ada", mark("Q1", 1)))
+    assert book.record("ada").total == 2
+
+
+def test_work_counts_as_graded_only_when_every_question_is_marked(book: Gradebook):
+    run = book.begin_run("version", 1, "none")
+    book.store(graded("ada", mark("Q1", 1)), run, whole=False)
+    assert book.find("ada", "fada", run, ["Q1"]) is not None
+    assert book.find("ada", "fada", run, ["Q1", "Q2"]) is None
+    assert book.find("ada", "changed", run, ["Q1"]) is None
+    later = book.begin_run("version 2", 1, "none")
+    assert book.find("ada", "fada", later, ["Q1"]) is None
+
+
+def test_an_override_counts_in_place_of_the_mark_and_survives_regrading(book: Gradebook):
+    fill(book, graded("ada", mark("Q1", 0), mark("Q2", 1)))
+    book.override("ada", "Q1", 1.5, "explained it well")
+    assert book.record("ada").total == 1.5 + 2
+    fill(book, graded("ada", mark("Q1", 0.5), mark("Q2", 0)))
+    record = book.record("ada")
+    assert record.total == 1.5
+    assert record.overrides["Q1"].reason == "explained it well"
+
+
+def test_the_latest_override_counts_and_none_withdraws_it(book: Gradebook):
+    fill(book, graded("ada", mark("Q1", 0.5)))
+    book.override("ada", "Q1", 2, "first")
+    book.override("ada", "Q1", 0, "second")
+    assert book.record("ada").total == 0
+    book.override("ada", "Q1", None, "a mix-up")
+    assert book.record("ada").total == 1
+    assert [reason for _, _, reason, _ in book.overrides("ada")] == ["first", "second", "a mix-up"]
+
+
+def test_lateness_takes_its_percent_of_the_points_earned(book: Gradebook):
+    fill(book, graded("ada", mark("Q1", 1), mark("Q2", 1)))
+    book.set_lateness({"ada": ("2026-11-20T10:00:00+00:00", 2, 20.0)})
+    record = book.record("ada")
+    assert (record.earned, record.deduction, record.total) == (4, 0.8, 3.2)
+
+
+def test_notes_stay_with_the_student_when_the_work_is_graded_again(book: Gradebook):
+    fill(book, graded("ada"))
+    book.note("ada", "ill")
+    fill(book, graded("ada"))
+    assert [note.text for note in book.record("ada").notes] == ["ill"]
+
+
+def test_a_student_is_found_in_any_case_and_near_names_are_offered(book: Gradebook):
+    fill(book, graded("Ada Lovelace"))
+    assert book.record("ada lovelace").student == "Ada Lovelace"
+    with pytest.raises(UsageError, match="Ada Lovelace"):
+        book.record("love")
+
+
+def test_others_read_while_a_grader_writes(book: Gradebook, path: Path):
+    fill(book, graded("ada", mark("Q1", 1)))
+    with book._transaction() as db:
+        db.execute("DELETE FROM mark")
+        with Gradebook(path, create=False) as reader:
+            assert reader.record("ada").total == 2
+    assert book.record("ada").total == 0
+
+
+def test_a_failed_write_leaves_everything_as_it_was(book: Gradebook):
+    fill(book, graded("ada", mark("Q1", 1)))
+    run = book.last_run()
+    broken = Graded(
+        Submission("ada", Path("x")),
+        "graded",
+        "new",
+        (mark("Q1", 0, understood=b"no JSON"),),  # type: ignore[arg-type]
+    )
+    with pytest.raises(TypeError):
+        book.store(broken, run)
+    assert book.record("ada").total == 2
+    assert book.record("ada").graded.fingerprint == "fada"
+
+
+def test_a_damaged_file_is_said_in_one_sentence_and_left_as_it_is(path: Path):
+    path.parent.mkdir()
+    path.write_bytes(b"not a database, " * 500)
+    with pytest.raises(GradebookError, match="restore it from a copy"):
+        Gradebook(path)
+    assert path.read_bytes() == b"not a database, " * 500
+
+
+def test_damage_inside_a_gradebook_is_found_when_it_is_opened(path: Path):
+    with Gradebook(path) as book:
+        fill(
+            book,
+            *(graded(f"student {n}", *[mark(f"Q{q}", 1) for q in range(9)]) for n in range(50)),
+        )
+    content = bytearray(path.read_bytes())
+    assert len(content) > 20_000
+    content[8192:16384] = os.urandom(8192)
+    path.write_bytes(content)
+    with pytest.raises(GradebookError, match="restore it from a copy"):
+        Gradebook(path).records()
+    assert path.read_bytes() == content
+
+
+def test_a_gradebook_of_a_newer_version_is_refused_and_left_as_it_is(path: Path):
+    Gradebook(path).close()
+    db = sqlite3.connect(path)
+    db.execute(f"PRAGMA user_version = {SCHEMA_VERSION + 1}")
+    db.close()
+    before = path.read_bytes()
+    with pytest.raises(GradebookError, match="use the version that wrote it"):
+        Gradebook(path)
+    assert path.read_bytes() == before
+
+
+def test_another_programs_database_is_refused(path: Path):
+    path.parent.mkdir()
+    db = sqlite3.connect(path)
+    db.execute("CREATE TABLE recipes (name TEXT)")
+    db.close()
+    with pytest.raises(GradebookError, match="no gradebook"):
+        Gradebook(path)
+
+
+def test_a_missing_gradebook_is_not_begun_by_looking(path: Path):
+    with pytest.raises(GradebookError, match="autograder grade"):
+        Gradebook(path, create=False)
+    assert not path.parent.exists()
+
+
+def test_a_folder_that_cannot_be_written_is_said(tmp_path: Path):
+    (tmp_path / "grades").write_text("a file where the folder should be")
+    with pytest.raises(GradebookError, match="choose another folder"):
+        Gradebook(tmp_path / "grades" / "gradebook.db")
+
+
+def test_the_first_version_is_brought_up_to_date_with_its_marks(path: Path, monkeypatch):
+    from autograder.gradebook import schema
+
+    with monkeypatch.context() as old:
+        old.setattr(schema, "_STEPS", schema._STEPS[:1])
+        old.setattr(schema, "SCHEMA_VERSION", 1)
+        db = schema.connect(path, create=True)
+        db.execute("INSERT INTO run VALUES (1, 'v', 3, 'none', '2026-11-01T00:00:00+00:00')")
+        db.execute("INSERT INTO submission VALUES ('ada', '/ada.zip', 'f', 'graded', '[]', 1)")
+        db.close()
+    with Gradebook(path) as book:
+        assert book.record("ada").seed == 3
+        book.override("ada", "Q1", 1, "now possible")
+        assert book.record("ada").total == 1
+
+
+def test_names_that_are_no_utf8_can_be_kept_and_found_again(book: Gradebook, tmp_path: Path):
+    odd = tmp_path / os.fsdecode(b"caf\xe9.zip")
+    run = book.begin_run("v", 1, "none")
+    book.store(Graded(Submission("caf?", odd), "graded", "f", ()), run)
+    assert book.record("caf?").graded.submission.path == odd
+
+
+def test_any_text_of_a_student_can_be_kept(book: Gradebook):
+    text = "\ud800 \x00 \x1b[31m '; DROP TABLE mark; --"
+    fill(book, graded("ada", hostile_mark("Q1", text)))
+    assert book.record("ada").marks["Q1"].feedback == text
+
+
+def test_a_copy_taken_while_the_book_is_open_is_complete(
+    book: Gradebook, path: Path, tmp_path: Path
+):
+    fill(book, graded("ada", mark("Q1", 1)))
+    book.close()
+    shutil.copy(path, tmp_path / "copy.db")
+    with Gradebook(tmp_path / "copy.db", create=False) as copy:
+        assert copy.record("ada").total == 2
