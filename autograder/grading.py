@@ -16,6 +16,7 @@ from autograder.marker import Marker
 from autograder.marking import Mark, not_attempted, stopped
 from autograder.questions import Order, Question, TrueFalse
 from autograder.sandbox.launcher import Isolation, Sandbox, Session, Stopped, open_sandboxes
+from autograder.student.typed import typed_cell
 from autograder.submissions import Contents, Notebook, Submission, Unreadable, read_submission
 
 
@@ -178,8 +179,14 @@ def _grade_chapter(
     notebook = contents.notebooks.get(chapter.name, Notebook(cells=[], receipts={}))
     cells = [cell for cell in notebook.cells if cell not in marker.course.demo_cells]
     given = {
-        id: entry.get("response") for id, entry in contents.sidecars.get(chapter.name, {}).items()
+        id: entry["response"]
+        for id, entry in contents.sidecars.get(chapter.name, {}).items()
+        if entry.get("response") is not None
     }
+    # What was typed into a field counts where the notebook itself assigns nothing.
+    kept = {**notebook.receipts, **given}
+    typed = {q.id: cell for q in asked if (cell := typed_cell(q, kept.get(q.id))) is not None}
+    cells += typed.values()
     with sandbox.session() as session:
         names = [question.name for question in asked if question.name]
         report: dict[str, Any] = {}
@@ -195,15 +202,19 @@ def _grade_chapter(
         understood = _dictionary(report.get("understood"))
         marks = []
         for question in asked:
-            if isinstance(question, TrueFalse | Order):
-                marks.append(marker.mark(question.id, responses.get(question.id)))
+            is_choice = isinstance(question, TrueFalse | Order)
+            choice = responses.get(question.id) if is_choice else None
+            if choice is not None:
+                marks.append(marker.mark(question.id, choice))
             elif chapter.name in contents.unreadable:
                 reason = contents.unreadable[chapter.name]
                 marks.append(stopped(question, "unreadable", reason))
-            elif chapter.name not in contents.notebooks:
+            elif chapter.name not in contents.notebooks and question.id not in typed:
                 marks.append(not_attempted(question, "Its notebook was not handed in."))
             elif failure is not None:
                 marks.append(stopped(question, failure.status, _notebook_stopped(failure)))
+            elif is_choice:
+                marks.append(not_attempted(question))
             else:
                 said = str(understood.get(question.name or "", ""))
                 marks.append(_mark_named(question, session, marker, cells, report, said))

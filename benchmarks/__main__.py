@@ -3,23 +3,22 @@
 All of them write results.md and results.png beside this file; named ones only print.
 """
 
-import os
-
-for name in ("OMP", "OPENBLAS", "MKL", "NUMEXPR"):  # one thread for all; before NumPy loads
-    os.environ[f"{name}_NUM_THREADS"] = "1"
-
 import argparse
 import importlib
 import importlib.metadata
 import importlib.util
+import os
 import platform
 import sys
 from pathlib import Path
 
-import cv2
+for name in ("OMP", "OPENBLAS", "MKL", "NUMEXPR"):  # one thread for all; before NumPy loads
+    os.environ[f"{name}_NUM_THREADS"] = "1"
 
-from benchmarks.plot import write_plot
-from benchmarks.report import Section, markdown_section, write_report
+import cv2  # noqa: E402
+
+from benchmarks.plot import write_plot  # noqa: E402
+from benchmarks.report import Section, markdown_section, write_report  # noqa: E402
 
 MODULES = ("ransac", "line_extraction", "place_recognition")
 PACKAGES = (
@@ -70,8 +69,9 @@ def introduction() -> str:
             versions.append(f"{package} not installed")
     return f"""
 One run of `uv run --group bench python -m benchmarks`: one process, one thread, all contenders
-on the same data, taking turns; the median counts. A ratio of 10 × means that a contender takes
-ten times as long as this project. Ratios carry over to other machines roughly, times do not.
+on the same data, taking turns; the median of the processor times counts. A ratio of 10 × means
+that a contender takes ten times as long as this project. Ratios carry over to other machines
+roughly, times do not.
 
 {processor()}, Python {platform.python_version()}, {", ".join(versions)}.
 

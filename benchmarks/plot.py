@@ -3,13 +3,15 @@
 from pathlib import Path
 
 import matplotlib.pyplot as plt
+import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 
 from benchmarks.report import OURS, Curve, Row, Section
 
 # Okabe and Ito's colours, which colour-blind readers can tell apart; this project is blue.
-BLUE = "#0072B2"
-OTHERS = ("#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000")
+BLUE, SKY = "#0072B2", "#56B4E9"
+OTHERS = ("#D55E00", "#009E73", "#CC79A7", "#E69F00", SKY, "#000000")
 MARKERS = "osv^Dxp"
 
 
@@ -20,8 +22,8 @@ def write_plot(sections: list[Section], path: Path) -> None:
     panels = list(dict.fromkeys(curve.panel for curve in curves))
     panel_rows = max(1, -(-len(panels) // 2))
     height = max(3.0 * panel_rows, 0.28 * len(rows) + 1.5)
-    figure = plt.figure(figsize=(15, height), layout="constrained")
-    left, right = figure.subfigures(1, 2, width_ratios=[1, 1.2])
+    figure: Figure = plt.figure(figsize=(15, height), layout="constrained")
+    left, right = np.asarray(figure.subfigures(1, 2, width_ratios=[1, 1.2])).ravel()
     _draw_ratios(left.subplots(), rows)
     if panels:
         axes = right.subplots(panel_rows, 2, squeeze=False).ravel()

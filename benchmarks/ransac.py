@@ -2,9 +2,11 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
+import data
 from benchmarks import peers
 from benchmarks.report import OURS, Curve, Row, Section
 from benchmarks.timing import measure
@@ -15,17 +17,22 @@ INLIER_RATIO = 0.2
 SIGMA = 0.005  # m
 THRESHOLD = 2.5 * SIGMA
 SIZE = 1000
-CALIBRATION_SCENES = 300
-# A contender takes points and a number of iterations and returns (normal, r) of a model.
-Contender = Callable[[np.ndarray, int], tuple[np.ndarray, float]]
+CALIBRATION_SCENES = 200
+SLOW = ("the course's loop", "scikit-learn")  # not calibrated
+# A contender takes points, a number of iterations, a threshold; it returns (normal, r).
+Contender = Callable[[np.ndarray, int, float], tuple[np.ndarray, float]]
+Extra = dict[str, dict[str, float | str]]
 
 SETUP = f"""
-{SIZE} points in a cube of 10 m, of which 20 % are on a sloping line or plane with {1000 * SIGMA:g} mm
-of noise; threshold 2.5 sigma. Success means that at least 90 % of the true inliers are within
+{SIZE} points in a cube of 10 m, of which 20 % are on a sloping line or plane with 5 mm of noise;
+threshold 2.5 sigma. Success means that at least 90 % of the true inliers are within
 the threshold of the returned model. Early stopping is off for all, so that everybody does the
 iterations that the table says. The first task gives all the same iterations, those that the
 sheet's formula asks for; the second one gives each what it needs to succeed in 95 % of
-{CALIBRATION_SCENES} scenes, found on other scenes than the timed one.
+{CALIBRATION_SCENES} scenes, found on other scenes than the timed one; scikit-learn and the loop
+are left out of it. The third one fits the largest plane of a real point cloud, the brick walls
+in `data`, with 5 cm as threshold; all do the same iterations, and the median share of inliers of
+eleven runs is given.
 
 - scikit-image: `ransac(LineModelND)`, total least squares, one refit.
 - scikit-learn: `RANSACRegressor` with its linear regression, distances along the last axis
@@ -45,6 +52,7 @@ class Task:
 
     @property
     def iterations(self) -> int:
+        """The number for which the formula promises 95 %."""
         return int(required_iterations(0.95, INLIER_RATIO, self.dimension))
 
 
@@ -61,6 +69,8 @@ def run() -> Section:
     for task in tasks:
         rows += _same_iterations(task, rng)
         rows += _equal_success(task, rng)
+        if task.name == "plane":
+            rows += _brick_walls(task)
         curves += _growth(task, rng)
     return Section("RANSAC", SETUP, rows, curves, missing)
 
@@ -78,10 +88,10 @@ def success_rate(
 ) -> float:
     """Return the share of scenes in which the contender finds the model."""
     rng = np.random.default_rng(seed)
-    successes = 0
+    successes = 0.0
     for _ in range(scenes):
         points = scene(rng, dimension)
-        normal, r = contender(points, iterations)
+        normal, r = contender(points, iterations, THRESHOLD)
         inliers = points[: round(SIZE * INLIER_RATIO)]
         successes += np.mean(np.abs(inliers @ normal - r) <= THRESHOLD) >= 0.9
     return successes / scenes
@@ -89,19 +99,22 @@ def success_rate(
 
 def _same_iterations(task: Task, rng: np.random.Generator) -> list[Row]:
     points, k = scene(rng, task.dimension), task.iterations
-    success = {
-        name: {"iterations": str(k), "success": f"{success_rate(f, k, task.dimension, 200, 1):.0%}"}
-        for name, f in task.contenders.items()
-    }
+    success: Extra = {}
+    for name, contender in task.contenders.items():
+        rate = success_rate(contender, k, task.dimension, 50 if name in SLOW else 200, 1)
+        success[name] = {"iterations": str(k), "success": f"{rate:.0%}"}
     calls = {name: _call(f, points, k) for name, f in task.contenders.items()}
     return measure(f"RANSAC, one {task.name}", "the formula's iterations", calls, 9, success)
 
 
 def _equal_success(task: Task, rng: np.random.Generator, goal: float = 0.95) -> list[Row]:
     points = scene(rng, task.dimension)
-    calls, extra = {}, {}
+    calls: dict[str, Callable[[], object]] = {}
+    extra: Extra = {}
     for name, contender in task.contenders.items():
-        for factor in (0.7, 0.8, 0.9, 1.0, 1.1, 1.25, 1.5, 1.75, 2.0, 2.5, 3.0):
+        if name in SLOW:
+            continue
+        for factor in (0.8, 0.9, 1.0, 1.1, 1.25, 1.5, 1.75, 2.0, 2.5, 3.0):
             k = round(factor * task.iterations)
             rate = success_rate(contender, k, task.dimension, CALIBRATION_SCENES, 2)
             if rate >= goal:
@@ -111,7 +124,19 @@ def _equal_success(task: Task, rng: np.random.Generator, goal: float = 0.95) -> 
     return measure(f"RANSAC, one {task.name}", "95 % success", calls, 9, extra)
 
 
-def _growth(task: Task, rng: np.random.Generator, slowest: float = 1.0) -> list[Curve]:
+def _brick_walls(task: Task, threshold: float = 0.05) -> list[Row]:
+    points, k = np.array(data.brick_walls().points), task.iterations
+    calls: dict[str, Callable[[], object]] = {}
+    extra: Extra = {}
+    for name, contender in task.contenders.items():
+        models = [contender(points, k, threshold) for _ in range(11)]
+        shares = [np.mean(np.abs(points @ normal - r) <= threshold) for normal, r in models]
+        calls[name] = _call(contender, points, k, threshold)
+        extra[name] = {"iterations": str(k), "inliers": f"{np.median(shares):.1%}"}
+    return measure("RANSAC, one plane", f"brick walls, {len(points)} points", calls, 9, extra)
+
+
+def _growth(task: Task, rng: np.random.Generator, slowest: float = 0.3) -> list[Curve]:
     """Time all contenders for more and more points, each until a call takes too long."""
     sizes = (100, 300, 1000, 3000, 10_000, 30_000, 100_000)
     times: dict[str, list[float]] = {name: [] for name in task.contenders}
@@ -137,27 +162,29 @@ def _growth(task: Task, rng: np.random.Generator, slowest: float = 1.0) -> list[
     ]
 
 
-def _call(contender: Contender, points: np.ndarray, k: int) -> Callable[[], object]:
-    return lambda: contender(points, k)
+def _call(
+    contender: Contender, points: np.ndarray, k: int, threshold: float = THRESHOLD
+) -> Callable[[], object]:
+    return lambda: contender(points, k, threshold)
 
 
 def _line_contenders(rng: np.random.Generator, missing: list[str]) -> dict[str, Contender]:
-    def ours(points: np.ndarray, k: int) -> tuple[np.ndarray, float]:
-        found = ransac_line(points, THRESHOLD, k, rng)
+    def ours(points: np.ndarray, k: int, threshold: float) -> tuple[np.ndarray, float]:
+        found = ransac_line(points, threshold, k, rng)
         return _polar(found.model) if found else (np.zeros(2), 0.0)
 
-    def loop(points: np.ndarray, k: int) -> tuple[np.ndarray, float]:
-        return _polar(ransac_loop.ransac_line(points, THRESHOLD, k, rng)[0])
+    def loop(points: np.ndarray, k: int, threshold: float) -> tuple[np.ndarray, float]:
+        return _polar(ransac_loop.ransac_line(points, threshold, k, rng)[0])
 
     contenders: dict[str, Contender] = {OURS: ours, "the course's loop": loop}
     skimage = peers.load("skimage.measure", missing)
     if skimage:
 
-        def scikit_image(points: np.ndarray, k: int) -> tuple[np.ndarray, float]:
+        def scikit_image(points: np.ndarray, k: int, threshold: float) -> tuple[np.ndarray, float]:
             model, _ = skimage.ransac(
-                points, skimage.LineModelND, 2, THRESHOLD, max_trials=k, rng=rng
+                points, skimage.LineModelND, 2, threshold, max_trials=k, rng=rng
             )
-            origin, (dx, dy) = model.params
+            origin, (dx, dy) = model.origin, model.direction
             normal = np.array([-dy, dx])
             return normal, float(normal @ origin)
 
@@ -166,9 +193,9 @@ def _line_contenders(rng: np.random.Generator, missing: list[str]) -> dict[str, 
     if sklearn:
         state = np.random.RandomState(0)
 
-        def scikit_learn(points: np.ndarray, k: int) -> tuple[np.ndarray, float]:
+        def scikit_learn(points: np.ndarray, k: int, threshold: float) -> tuple[np.ndarray, float]:
             model = sklearn.RANSACRegressor(
-                residual_threshold=THRESHOLD * np.hypot(1.0, 0.3),
+                residual_threshold=threshold * np.hypot(1.0, 0.3),
                 max_trials=k,
                 stop_probability=1.0,
                 random_state=state,
@@ -182,29 +209,28 @@ def _line_contenders(rng: np.random.Generator, missing: list[str]) -> dict[str, 
 
 
 def _plane_contenders(rng: np.random.Generator, missing: list[str]) -> dict[str, Contender]:
-    def ours(points: np.ndarray, k: int) -> tuple[np.ndarray, float]:
-        found = ransac_plane(points, THRESHOLD, k, rng)
+    def ours(points: np.ndarray, k: int, threshold: float) -> tuple[np.ndarray, float]:
+        found = ransac_plane(points, threshold, k, rng)
         return (np.array(found.model.normal), found.model.r) if found else (np.zeros(3), 0.0)
 
     contenders: dict[str, Contender] = {OURS: ours}
     open3d = peers.load_open3d(missing)
     if open3d:
-        clouds: dict[int, object] = {}  # made once, untimed
+        last: list[Any] = [None, None]  # points and their cloud, which is made once, untimed
 
-        def open_3d(points: np.ndarray, k: int) -> tuple[np.ndarray, float]:
-            if id(points) not in clouds:
-                clouds.clear()
+        def open_3d(points: np.ndarray, k: int, threshold: float) -> tuple[np.ndarray, float]:
+            if last[0] is not points:
                 vectors = open3d.utility.Vector3dVector(points)
-                clouds[id(points)] = open3d.geometry.PointCloud(vectors)
-            (a, b, c, d), _ = clouds[id(points)].segment_plane(THRESHOLD, 3, k, 1.0)  # type: ignore[attr-defined]
+                last[:] = points, open3d.geometry.PointCloud(vectors)
+            (a, b, c, d), _ = last[1].segment_plane(threshold, 3, k, 1.0)
             return np.array([a, b, c]), -d
 
         contenders["Open3D"] = open_3d
     pyransac3d = peers.load("pyransac3d", missing)
     if pyransac3d:
 
-        def pyransac(points: np.ndarray, k: int) -> tuple[np.ndarray, float]:
-            equation, _ = pyransac3d.Plane().fit(points, THRESHOLD, k)
+        def pyransac(points: np.ndarray, k: int, threshold: float) -> tuple[np.ndarray, float]:
+            equation, _ = pyransac3d.Plane().fit(points, threshold, k)
             return np.array(equation[:3]), -equation[3]
 
         contenders["pyransac3d"] = pyransac

@@ -100,12 +100,12 @@ def _round_things(
         return rng.uniform(-0.9, 0.9, (count, 2)) * half
 
     pillars = np.column_stack([places(3), rng.uniform(0.15, 0.5, 3)])
-    people = places(rng.integers(2, 7))
+    people = places(int(rng.integers(2, 7)))
     stride = rng.uniform(-0.25, 0.25, people.shape)
     legs = np.column_stack(
         [np.concatenate([people, people + stride]), rng.uniform(0.06, 0.1, 2 * len(people))]
     )
-    count = rng.integers(1, 4)
+    count = int(rng.integers(1, 4))
     arcs = np.column_stack(
         [
             places(count),

@@ -46,7 +46,7 @@ def repeats(ends: np.ndarray, match: np.ndarray, walls: np.ndarray) -> np.ndarra
 def matches(
     ends: np.ndarray,
     walls: np.ndarray,
-    distance: float = 0.1,
+    distance: float = 0.05,
     angle: float = math.radians(6.0),
     overhang: float = 0.25,
 ) -> np.ndarray:

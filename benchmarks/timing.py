@@ -14,24 +14,29 @@ def measure(
     contenders: dict[str, Callable[[], Any]],
     repetitions: int = 7,
     extra: dict[str, dict[str, float | str]] | None = None,
+    items: dict[str, int] | None = None,
 ) -> list[Row]:
     """Time every contender and return a row for each, with its ratio to `OURS`.
 
     `contenders` maps a name to a function without arguments; the ratio is None if `OURS` is
     not among them. Each is called once untimed (caches, lazy imports). Then they take
     turns, `repetitions` rounds, so that a slow phase of the machine hits all of them; the
-    median of each counts. A call under 5 ms is repeated inside its turn. `extra` gives
-    further columns for each contender.
+    median of each counts. A call under 5 ms is repeated inside its turn. Time is the
+    processor time of this process: other work on the machine disturbs it little, and a
+    contender with several threads pays for all of them. `extra` gives further columns for each
+    contender; `items` the number of things that one call handles, if times for one are wanted.
     """
     inner = {name: _calls_per_turn(function) for name, function in contenders.items()}
     turns: dict[str, list[float]] = {name: [] for name in contenders}
     for _ in range(repetitions):
         for name, function in contenders.items():
-            start = time.perf_counter()
+            start = time.process_time()
             for _ in range(inner[name]):
                 function()
-            turns[name].append((time.perf_counter() - start) / inner[name])
-    medians = {name: statistics.median(times) for name, times in turns.items()}
+            turns[name].append((time.process_time() - start) / inner[name])
+    medians = {
+        name: statistics.median(times) / (items or {}).get(name, 1) for name, times in turns.items()
+    }
     ours = medians.get(OURS)
     return [
         Row(
@@ -49,7 +54,7 @@ def measure(
 def _calls_per_turn(function: Callable[[], Any], shortest_turn: float = 5e-3) -> int:
     """Call once to warm up, once more to see how many calls fill a measurable turn."""
     function()
-    start = time.perf_counter()
+    start = time.process_time()
     function()
-    elapsed = time.perf_counter() - start
+    elapsed = time.process_time() - start
     return max(1, round(shortest_turn / max(elapsed, 1e-7)))

@@ -20,14 +20,14 @@ class Settings:
     """What counts as a wall. The defaults suit a SICK scanner with centimetre noise."""
 
     sigma: float = 0.01  # m, standard deviation of a point
-    split_distance: float = 0.08  # m, a point this far from the chord is a corner
-    roughness: float = 0.025  # m, largest root mean square distance from a wall
+    split_distance: float = 0.06  # m, a point this far from the chord is a corner
+    roughness: float = 0.02  # m, largest root mean square distance from a wall
     min_points: int = 8
-    min_length: float = 0.5  # m
+    min_length: float = 0.6  # m
     min_radius: float = 15.0  # m, what bends more is a round thing
     # Neighbours that meet at an angle between these two are pieces of a round thing.
     straight_angle: float = math.radians(8.0)
-    corner_angle: float = math.radians(40.0)
+    corner_angle: float = math.radians(30.0)
     max_range: float = 49.0  # m, at or beyond: no echo
     grazing_angle: float = math.radians(10.0)  # a wall seen at a smaller angle is broken up
 

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 import os
 import subprocess
 import tempfile
+from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -16,7 +18,7 @@ from nbclient import NotebookClient
 from nbclient.exceptions import CellExecutionError
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
 
-from autograder.authoring.masters import Master, read_masters
+from autograder.authoring.masters import Master, MasterCell, read_masters
 from autograder.authoring.stubs import exercise_cells
 from autograder.course import DEMO, Course
 from autograder.errors import CourseError
@@ -106,16 +108,12 @@ def write(built: list[Built]) -> list[Path]:
 def _assemble(course: Course, master: Master, solved: bool) -> Any:
     """The notebook's cells, each with an id that stays the same when others come or go."""
     notebook = new_notebook(metadata=_KERNEL)
-    counters = {"markdown": 0, "code": 0}
+    taken: Counter[str] = Counter()
     for cell in master.cells:
         if cell.exercise is None:
-            kind = "markdown" if cell.kind == "markdown" else "code"
-            counters[kind] += 1
-            make = new_markdown_cell if kind == "markdown" else new_code_cell
+            make = new_markdown_cell if cell.kind == "markdown" else new_code_cell
             metadata = {"tags": [DEMO]} if cell.demo else {}
-            notebook.cells.append(
-                make(cell.source, id=f"{kind}-{counters[kind]}", metadata=metadata)
-            )
+            notebook.cells.append(make(cell.source, id=_cell_id(cell, taken), metadata=metadata))
             continue
         question = course.question(cell.exercise)
         exercise = exercise_cells(course, question)
@@ -126,6 +124,14 @@ def _assemble(course: Course, master: Master, solved: bool) -> Any:
         if exercise.check is not None:
             notebook.cells.append(new_code_cell(exercise.check, id=f"{slug}-check"))
     return notebook
+
+
+def _cell_id(cell: MasterCell, taken: Counter[str]) -> str:
+    """An id that follows from the cell's own text, not from its place."""
+    kind = "markdown" if cell.kind == "markdown" else "code"
+    name = f"{kind}-{hashlib.sha256(cell.source.encode()).hexdigest()[:8]}"
+    taken[name] += 1
+    return name if taken[name] == 1 else f"{name}-{taken[name]}"
 
 
 def _execute(notebook: Any, course: Course, stem: str) -> None:
@@ -171,10 +177,11 @@ def _on_disk(path: Path) -> str:
 
 
 def _without_outputs(text: str) -> str:
-    if not text:
-        return ""
-    notebook = nbformat.from_dict(json.loads(text))
-    for cell in notebook.cells:
-        if cell.cell_type == "code":
-            cell.outputs, cell.execution_count = [], None
-    return nbformat.writes(notebook, version=4) + "\n"
+    try:
+        notebook = nbformat.from_dict(json.loads(text))
+        for cell in notebook.cells:
+            if cell.cell_type == "code":
+                cell.outputs, cell.execution_count = [], None
+        return str(nbformat.writes(notebook, version=4)) + "\n"
+    except (ValueError, AttributeError, TypeError):
+        return ""  # missing, or damaged as by a merge conflict: it differs from any notebook

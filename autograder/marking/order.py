@@ -11,7 +11,7 @@ from itertools import permutations, product
 from typing import Any
 
 from autograder.answers import OrderAnswer
-from autograder.marking.mark import Mark, not_attempted, status_for, stopped
+from autograder.marking.mark import Mark, Part, not_attempted, status_for, stopped
 from autograder.questions import Order
 
 
@@ -31,7 +31,8 @@ def mark_order(question: Order, answer: OrderAnswer, response: Any) -> Mark:
     order = min(
         _exchanges(order, answer.interchangeable), key=lambda cards: fewest_moves(cards, after)
     )
-    moves = fewest_moves(order, after)
+    astray = cards_to_move(order, after)
+    moves = len(astray)
     credit = max(0.0, 1 - 2 * moves / len(order))
     mistake = None
     if moves == 0:
@@ -60,6 +61,7 @@ def mark_order(question: Order, answer: OrderAnswer, response: Any) -> Mark:
         question.points,
         feedback,
         alternative="right" if moves == 0 else mistake.name if mistake else None,
+        parts=tuple(Part(f"Card {n}", card not in astray, "") for n, card in enumerate(order, 1)),
         explanation=explanation,
         understood=" › ".join(texts[card] for card in order),
     )
@@ -91,19 +93,25 @@ def transitive_closure(before: Iterable[tuple[str, str]]) -> dict[str, set[str]]
 
 
 def fewest_moves(order: Sequence[str], after: dict[str, set[str]]) -> int:
-    """The fewest cards to lift and put back until the order respects the graph.
+    """The fewest cards to lift and put back until the order respects the graph."""
+    return len(cards_to_move(order, after))
+
+
+def cards_to_move(order: Sequence[str], after: dict[str, set[str]]) -> set[str]:
+    """A smallest set of cards to lift and put back until the order respects the graph.
 
     The cards that stay must hold no conflict, a pair that stands the wrong way round. Conflicts are
     transitive, so they partially order the cards, and a set without conflict is an antichain of
     that order. By Dilworth's theorem the largest one has as many cards as chains are needed to
     cover all, which is n minus a maximum bipartite matching of the conflicts: the matching is the
-    number of moves.
+    number of moves. König's theorem gives the cards themselves, as a smallest set of ends that
+    every conflict touches.
     """
     conflicts = {
         earlier: [later for later in order[position + 1 :] if earlier in after.get(later, ())]
         for position, earlier in enumerate(order)
     }
-    partner: dict[str, str] = {}
+    partner: dict[str, str] = {}  # later card -> the earlier card it is matched with
 
     def match(card: str, tried: set[str]) -> bool:
         for other in conflicts[card]:
@@ -114,7 +122,18 @@ def fewest_moves(order: Sequence[str], after: dict[str, set[str]]) -> int:
                     return True
         return False
 
-    return sum(match(card, set()) for card in order)
+    for card in order:
+        match(card, set())
+
+    # What can be reached by alternating paths from the earlier cards without a partner.
+    reached = [card for card in order if card not in partner.values()]
+    reached_later: set[str] = set()
+    for card in reached:
+        for other in conflicts[card]:
+            if other not in reached_later:
+                reached_later.add(other)
+                reached.append(partner[other])
+    return (set(order) - set(reached)) | reached_later
 
 
 def _exchanges(

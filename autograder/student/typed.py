@@ -200,8 +200,7 @@ def _visit(
             case ast.BinOp(left=left, op=ast.Pow(), right=right):
                 return _power(visit(left), visit(right))
             case ast.Call(func=function, args=arguments, keywords=[]):
-                called = function.attr if isinstance(function, ast.Attribute) else None
-                called = function.id if isinstance(function, ast.Name) else called
+                called = ast.unparse(function).removeprefix("sp.").removeprefix("math.")
                 if called not in functions:
                     raise UsageError(
                         f"{ast.unparse(function)} is not understood; use {', '.join(functions)}."

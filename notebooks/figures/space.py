@@ -20,7 +20,7 @@ def _spaces(fig: Figure, points: np.ndarray) -> list[Any]:
     views = []
     for column, (title, azimuth, elevation) in enumerate(VIEWS, start=1):
         axes: Any = fig.add_subplot(1, len(VIEWS), column, projection="3d")
-        axes.set_title(title, y=0.97)
+        axes.set_title(title, y=0.95)
         axes.set_xlabel("x [m]")
         axes.set_ylabel("z [m]")
         if elevation < 80:

@@ -10,23 +10,74 @@
 # A wrong recognition is worse than none. It ties two places together that are far apart, and may
 # ruin the whole map. So the robot must be fast, since it has thousands of photographs to compare
 # with, and careful.
+#
+# At the end of this chapter you will have built a search engine for photographs: the vocabulary tree of
+# Nister and Stewenius, with its inverted file, its votes and its weights.
 
 # %%
+from functools import cache
+
+import cv2
+import numpy as np
+
+import data
 from autograder import ask, check, progress, submit
+from notebooks import figures
 
 # %% [markdown]
+# These are the places that the robot knows, 20 photographs of a walk round a campus. Some of them show the same
+# building. (The numbers are the camera's.)
+
+# %% demo=true
+walk = data.campus_photographs()
+figures.photographs(walk)
+
+# %% [markdown]
+# And here are five photographs that it takes later. Where was it? **Decide for yourself first**, for each of
+# the five: which photographs above show the same place?
+
+# %% demo=true
+queries = data.campus_queries()
+figures.photographs(queries)
+
+# %% [markdown]
+# Two of them are hard even for us. Remember which ones.
+#
 # ## Features
 #
 # Comparing photographs pixel by pixel does not work: one step to the side, and every pixel has
 # changed. Instead the program looks for **keypoints**, small spots that are easy to find again,
 # such as the corner of a window. It describes the surroundings of each by a vector of numbers, the
 # **descriptor**. A keypoint with its descriptor is a **feature**.
+
+# %% demo=true
+sift = cv2.SIFT_create(1000)
+keypoints, descriptors = sift.detectAndCompute(walk["0503"], None)
+print(f"{descriptors.shape[1]} numbers describe each keypoint")
+
+# %% demo=true
+figures.keypoints(walk["0503"], keypoints)
+
+# %% [markdown]
+# Each circle is a keypoint. Its size and direction come from the image as well, so that the descriptor
+# does not change when the camera turns or comes closer.
 #
-# - *SIFT* and *SURF* describe how brightness changes around the keypoint by 128 (or 64) real numbers.
-#   They cope with changes of scale, rotation and light, and they take their time.
-# - *FAST* only compares a few pixels to find a corner; *BRIEF* and *ORB* describe it by a string of
-#   bits. That is many times faster, and less robust.
+# There are many kinds of feature.
 #
+# - *SIFT* and *SURF* describe how brightness changes around the keypoint, by 128 or 64 numbers.
+# - *FAST* only compares a few pixels to find a corner; *BRIEF* describes it by a string of bits, each of which
+#   compares two pixels. *ORB* combines the two.
+#
+# **Predict**: which kind is faster, and which finds more right matches between two photographs of the same
+# place? Here are SIFT and ORB on five pairs of photographs from our walk, with a thousand features each. A match counts as
+# right if it agrees with where the two cameras stood, which is computed at the end of this chapter.
+
+# %% demo=true
+photographs = {**walk, **queries}
+pairs = ["0506 0507", "0508 0510", "0500 0501", "0495 0496", "0499 0500"]
+figures.compare_features({pair: tuple(photographs[name] for name in pair.split()) for pair in pairs})
+
+# %% [markdown]
 # ## From descriptors to words
 #
 # A photograph has about a thousand features, so a database of a thousand photographs has a
@@ -45,11 +96,21 @@ from autograder import ask, check, progress, submit
 # ### The tree
 #
 # Good vocabularies have up to a million words. To find the word of a descriptor, we do not want to
-# compare it with a million centres. The **vocabulary tree** divides the space into only ten
-# groups, each of these into ten, and so on. With six levels there are a million words at the bottom,
-# but a descriptor is compared with ten centres at each level: 60 comparisons instead of a million.
-#
-# ### The inverted file
+# compare it with a million centres. The **vocabulary tree** divides the space into a few
+# groups only, each of these into a few again, and so on. Below, the space has two dimensions instead of 128, and
+# the star is a new descriptor that looks for its word. It is compared with three centres, then with three more:
+
+# %% demo=true
+figures.descriptor_space()
+
+# %% [markdown]
+# With ten children at each node and six levels there are a million words at the bottom, and yet a descriptor is compared
+# with only ten centres at each level: 60 comparisons instead of a million.
+
+# %% exercise="Q1.1"
+
+# %% [markdown]
+# ### The inverted file and the votes
 #
 # A book's index lists for each word the pages on which it occurs. The **inverted file** does the same
 # for visual words: it lists for each word the images in which it occurs. To find out which images
@@ -66,13 +127,10 @@ from autograder import ask, check, progress, submit
 # | 1 (brick) | B |
 # | 2 (leaf) | A, C |
 #
-# A new photograph has the words 0, 1 and 2. Word 0 gives a vote to A and B, word 1 to B, word 2 to A
-# and C. The voting array is A 2, B 2, C 1: A and B tie, and C is less likely.
-
-# %% exercise="Q1.1"
-
-# %% [markdown]
-# ## All steps in order
+# A new photograph has the words 0, 1 and 1. Word 0 gives a vote to A and to B, word 1 gives one to B, and the second word 1
+# another one to B. The voting array is A 1, B 3, C 0, and B is the best candidate.
+#
+# ### All steps in order
 #
 # The next question is about the whole system. Three sets of images play a part:
 #
@@ -85,15 +143,256 @@ from autograder import ask, check, progress, submit
 
 # %% exercise="Q1.2"
 
+# %% [markdown]
+# ## Build it
+#
+# Now you build what you have put in order. First the features of all photographs:
+
+# %% demo=true
+photographs = {**walk, **queries}
+features = {name: sift.detectAndCompute(image, None) for name, image in photographs.items()}
+collection = np.vstack([features[name][1] for name in walk])
+print(f"{len(walk)} photographs of the walk have about {len(collection) // 1000} thousand features")
+
+# %% [markdown]
+# ### The nearest word
+#
+# All of place recognition rests on one small step: which word is nearest to a descriptor? Near means that the
+# **Euclidean distance** is small, the root of the sum of squared differences. (The root changes nothing about which is the
+# smallest, so you may leave it out.)
+
+# %% exercise="Q1.3"
+
+# %% [markdown]
+# ### The tree
+#
+# This is how the tree is trained: k-means on all descriptors, then k-means once more in each group, and so on. `levels` has
+# the centres of each level, `levels[0]` those of the first $k$ groups. The children of row $i$ of one level are the
+# rows $k i$ to $k i + k - 1$ of the next. Besides, the function keeps the `node` of each descriptor.
+
+# %% demo=true
+def k_means(points, k):
+    """Return the (k, 128) centres of k groups of points, and the group of each point."""
+    stop = (cv2.TERM_CRITERIA_MAX_ITER, 10, 0)
+    _, groups, centers = cv2.kmeans(points, k, None, stop, 1, cv2.KMEANS_PP_CENTERS)
+    return centers, groups.ravel()
+
+
+def train_tree(descriptors, k, depth):
+    """Return the centres of each level, and for each descriptor its row in the last one."""
+    cv2.setRNGSeed(1)
+    levels, node = [], np.zeros(len(descriptors), dtype=int)
+    for _ in range(depth):
+        centers, below = [], node * k
+        for parent in range(node.max() + 1):
+            found, group = k_means(descriptors[node == parent], k)
+            centers.append(found)
+            below[node == parent] += group
+        levels, node = [*levels, np.vstack(centers)], below
+    return levels, node
+
+
+levels, words = train_tree(collection, k=8, depth=3)
+[level.shape for level in levels]
+
+# %% [markdown]
+# Eight children, three levels: 512 words. What do they look like? Each row shows spots of different photographs that
+# belong to the same word. Nobody has told the program what a window is, or a brick.
+
+# %% demo=true
+ends = np.cumsum([len(features[name][1]) for name in walk])
+figures.word_patches(
+    list(walk.values()), [features[name] for name in walk], np.split(words, ends[:-1])
+)
+
+# %% exercise="Q1.4"
+
+# %% [markdown]
+# With your function every photograph becomes a list of words. (`@cache` keeps the result, so that each photograph is
+# looked at only once.) To find a word takes 8 comparisons at each of 3 levels, not 512.
+
+# %% demo=true
+@cache
+def words_of(name):
+    """Return the words of a photograph, one for each of its features."""
+    return np.array([descend_tree(descriptor, levels) for descriptor in features[name][1]])
+
+
+# %% [markdown]
+# ### The inverted file
+
+# %% exercise="Q1.5"
+
+# %% [markdown]
+# ### The votes
+
+# %% exercise="Q1.6"
+
+# %% [markdown]
+# Now ask it. For each of the five photographs the votes of all places are drawn, and the three best are shown beside
+# them. (The bars do not start at zero, or you would see no difference.)
+
+# %% demo=true
+def votes_for(name, places=tuple(walk)):
+    """Return the votes of a photograph for each place."""
+    inverted_file = build_inverted_file([words_of(place) for place in places], len(levels[-1]))
+    return count_votes(words_of(name), inverted_file, len(places))
+
+
+# %% demo=true
+same = data.same_place_pairs(by_eye=True)  # for the colours only; the search does not know it
+figures.search_results(queries, walk, votes_for, same, "votes")
+
+# %% [markdown]
+# Not bad for a program that has never heard of buildings, and not good either. Look at the bars: *every* place gets a lot of
+# votes. Some words, such as the edge between a leaf and the sky, occur on nearly all photographs. They vote for
+# everybody.
+#
+# ### What a word is worth
+#
+# The word "the" tells nothing about what a text is about; the word "carburettor" tells a lot. A word is worth the more, the
+# fewer images it occurs in. If $M$ is the number of images and $M_i$ the number of images with word $i$, its
+# **weight** (*inverse document frequency*) is
+#
+# $$w_i = \ln \frac{M}{M_i}$$
+
+# %% exercise="Q1.7"
+
+# %% [markdown]
+# Instead of counting votes, Nister and Stewenius compare the bags as a whole. Each histogram is multiplied by the
+# weights and then divided by its sum, so that a photograph with many features has no advantage. For the results $\mathbf{q}$ of
+# the query and $\mathbf{d}$ of an image the **score** is the sum of the absolute differences,
+#
+# $$s = \sum_i |q_i - d_i| .$$
+#
+# It is 0 for equal bags and 2 for bags without a common word: *small* is good.
+
+# %% exercise="Q1.8"
+
+# %% demo=true
+def likeness_to(name, places=tuple(walk)):
+    """Return how alike a photograph and each place are: 0 nothing in common, 2 equal."""
+    bags = [np.bincount(words_of(other), minlength=len(levels[-1])) for other in (name, *places)]
+    query, histograms = bags[0], np.array(bags[1:])
+    return 2 - l1_scores(query, histograms, idf_weights(histograms))
+
+
+# %% demo=true
+figures.search_results(queries, walk, likeness_to, same, "likeness")
+
+# %% [markdown]
+# ## Palm trees
+#
+# Compare with the votes: the weights have repaired something. But look at the query 0513, the one with the
+# palm trees before a white building. Its first place is a different part of the campus, and *nothing in its bars* warns you:
+# the winner looks like any other winner. A robot that believed it would tear its map apart.
+#
+# Leaves of palms look like leaves of palms, wherever they grow. The bag of words knows *that* they are there, but has lost
+# *where*. If two photographs show the same place, the matching spots must also fit together: there must be one position for
+# each camera from which all of them make sense. This is **geometric verification**. It is too slow for a whole database,
+# but quick enough for the five best candidates.
+#
+# First, the matches: pairs of spots that are each other's nearest, and clearly nearer than the second nearest.
+
+# %% demo=true
+@cache
+def match(one, other):
+    """Return the matched spots of two photographs: two (N, 2) arrays, in pixels."""
+    (spots, a), (other_spots, b) = features[one], features[other]
+    there, back = cv2.BFMatcher().knnMatch(a, b, k=2), cv2.BFMatcher().match(b, a)
+    found = [m for m, n in there if m.distance < 0.8 * n.distance]
+    found = [m for m in found if back[m.trainIdx].trainIdx == m.queryIdx]
+    here = [spots[m.queryIdx].pt for m in found]
+    return np.array(here), np.array([other_spots[m.trainIdx].pt for m in found])
+
+
+# %% [markdown]
+# Then, which of them agree with one geometry? Two photographs of the same scene are tied together by a 3 × 3 matrix, the
+# **fundamental matrix**: it turns a spot in one photograph into a line in the other, on which the matching spot must lie. Many
+# of the matches are wrong, so OpenCV looks for the matrix that most of them agree with. It does so by guessing, with an
+# algorithm that has a whole chapter of its own: RANSAC, chapter 3.
+
+# %% demo=true
+@cache
+def agreeing(one, other):
+    """Return for each match whether it agrees with the fundamental matrix that most agree with."""
+    cv2.setRNGSeed(0)
+    here, there = match(one, other)
+    _, inliers = cv2.findFundamentalMat(here, there, cv2.FM_RANSAC, 1.5, 0.999)
+    return np.zeros(len(here), dtype=bool) if inliers is None else inliers.ravel() > 0
+
+
+# %% [markdown]
+# The same place, seen from two sides:
+
+# %% demo=true
+figures.matches(
+    photographs["0508"], walk["0510"], *match("0508", "0510"), agreeing("0508", "0510"), "0508, 0510"
+)
+
+# %% [markdown]
+# And the palm trees with the place that won the votes:
+
+# %% demo=true
+figures.matches(
+    photographs["0513"], walk["0506"], *match("0513", "0506"), agreeing("0513", "0506"), "0513, 0506"
+)
+
+# %% [markdown]
+# A few matches always agree by chance: there is some matrix that suits a dozen of them. How many are enough? Here is the
+# number of matches that agree, for each query with each place:
+
+# %% demo=true
+counts = {name: [agreeing(name, place).sum() for place in walk] for name in queries}
+figures.agreement(counts, walk, same, threshold=15)
+
+# %% [markdown]
+# No wrong place reaches 15. And not all right places do: 0511 and 0513 have no place above the threshold at all, and by eye
+# you had difficulties, too. For them the honest answer of the robot is "I do not know this place". It
+# closes one loop less, and keeps its map.
+#
+# Your search with the verification of its five best candidates: a place that is verified goes to the front.
+
+# %% demo=true
+def verified_likeness_to(name, places=tuple(walk)):
+    """Return the likeness of each place, plus the number of agreeing matches if it is verified."""
+    likeness = likeness_to(name, places)
+    for place in np.argsort(-likeness)[:5]:
+        count = agreeing(name, places[place]).sum()
+        likeness[place] += count if count >= 15 else 0
+    return likeness
+
+
+# %% demo=true
+figures.search_results(queries, walk, verified_likeness_to, same, "verified")
+
+# %% [markdown]
+# A high bar is a place that you can believe in; where all bars are low, do not believe the first one either.
+#
+# Five queries are too few to say which method is better. So let *each* of the 25 photographs search among all others, the
+# walk and the queries together, and count how often its first place is right:
+
+# %% demo=true
+searches = {"votes": votes_for, "weighted": likeness_to, "verified": verified_likeness_to}
+figures.first_places(searches, photographs, same)
+
 # %%
 progress()
 
 # %% [markdown]
+# ## What to remember
+#
+# - Words make it fast: a tree to find them, an inverted file to look them up.
+# - Weights make it better: what occurs everywhere tells nothing.
+# - Geometry makes it safe: it is slow, and comes last.
+#
 # ## Further reading
 #
 # - D. Nister and H. Stewenius, *Scalable recognition with a vocabulary tree*, CVPR 2006: the tree, the
-#   inverted file and the weights.
+#   inverted file and the weights, with a million words and more.
 # - H. Stewenius, S. H. Gunderson and J. Pilet, *Size matters: exhaustive geometric verification for
-#   image retrieval*, ECCV 2012: what checking the geometry of the candidates adds.
+#   image retrieval*, ECCV 2012: what happens if the geometry of *all* candidates is checked.
+# - D. Gálvez-López and J. D. Tardós, *Bags of binary words for fast place recognition in image sequences*,
+#   IEEE Transactions on Robotics 28(5), 2012: the same with binary features, as many robots use it.
 #
 # Next: [line fitting](2_line_fitting.ipynb).

@@ -21,7 +21,7 @@ def source(*names: str) -> str:
     return "\n".join((_HERE / name).read_text(encoding="utf-8") for name in names)
 
 
-class CourseWidget(anywidget.AnyWidget):  # type: ignore[misc]
+class CourseWidget(anywidget.AnyWidget):
     """A widget whose truth lies in the desk's files and never in the browser.
 
     The browser sends ``{"seq": n, "do": name, ...}``. The method ``do_name`` acts, the state is
@@ -40,7 +40,7 @@ class CourseWidget(anywidget.AnyWidget):  # type: ignore[misc]
         self.receipt_display: Any = None
         super().__init__(fixed=self.what_is_fixed(), state=self.what_is_kept())
         self.on_msg(self._receive)
-        desk.onlookers.add(self)
+        desk.watch(self)
 
     def what_is_fixed(self) -> dict[str, Any]:
         """What the browser needs once."""
@@ -64,7 +64,7 @@ class CourseWidget(anywidget.AnyWidget):  # type: ignore[misc]
 
     def close(self) -> None:
         """Take the widget off the desk too."""
-        self.desk.onlookers.discard(self)
+        self.desk.unwatch(self)
         super().close()
 
     def _receive(self, widget: Any, message: dict[str, Any], buffers: Any) -> None:

@@ -1,0 +1,50 @@
+"""How an explorer gets onto the screen."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from autograder.student.frontend import widgets_wanted
+
+_HERE = Path(__file__).parent
+
+
+class Explorer:
+    """A widget made of one ES module, with a sentence for where no widget can be drawn.
+
+    ``module`` names a file beside this one; ``values`` are plain data that it starts from.
+    """
+
+    def __init__(self, module: str, values: dict[str, Any], sentence: str) -> None:
+        self._module = module
+        self._values = values
+        self._sentence = sentence
+
+    def __repr__(self) -> str:
+        return self._sentence
+
+    def _repr_mimebundle_(self, include: Any = None, exclude: Any = None) -> dict[str, Any]:
+        bundle: dict[str, Any] = {"text/plain": self._sentence}
+        if widgets_wanted():
+            bundle["application/vnd.jupyter.widget-view+json"] = {
+                "version_major": 2,
+                "version_minor": 0,
+                "model_id": self._widget().model_id,
+            }
+        return bundle
+
+    def _widget(self) -> Any:
+        import anywidget
+        import traitlets
+
+        module = "\n".join(
+            (_HERE / name).read_text(encoding="utf-8") for name in ("plot.js", self._module)
+        )
+
+        class ExplorerWidget(anywidget.AnyWidget):
+            _esm = module
+            _css = (_HERE / "explorer.css").read_text(encoding="utf-8")
+            values = traitlets.Dict().tag(sync=True)
+
+        return ExplorerWidget(values=self._values)

@@ -1,0 +1,29 @@
+"""Keypoints and descriptors of a photograph, with OpenCV."""
+
+from typing import Literal, NamedTuple
+
+import cv2
+import numpy as np
+
+
+class Features(NamedTuple):
+    """The N features of an image."""
+
+    positions: np.ndarray  # (N, 2) float32, x to the right and y down, in pixels
+    descriptors: np.ndarray  # (N, 128) float32 for SIFT, (N, 32) uint8 for ORB
+
+
+def extract_features(
+    image: np.ndarray, kind: Literal["sift", "orb"] = "sift", most: int = 0
+) -> Features:
+    """Return the features of a grey (H, W) or red, green, blue (H, W, 3) image of bytes.
+
+    `most` limits their number to the strongest; 0 is no limit for SIFT, and 1000 for ORB.
+    """
+    detector = cv2.SIFT.create(most) if kind == "sift" else cv2.ORB.create(most or 1000)
+    grey = image if image.ndim == 2 else cv2.cvtColor(image, cv2.COLOR_RGB2GRAY)
+    keypoints, descriptors = detector.detectAndCompute(grey, None)
+    if descriptors is None:  # nothing to be seen
+        descriptors = np.zeros((0, 128), np.float32) if kind == "sift" else np.zeros((0, 32), "u1")
+    positions = np.array([keypoint.pt for keypoint in keypoints], np.float32).reshape(-1, 2)
+    return Features(positions, descriptors)

@@ -1,0 +1,262 @@
+"""Masters become notebooks: stubs for students, answers in the solved ones, ids that stay."""
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from autograder.authoring.build import (
+    build_solved_notebooks,
+    build_student_notebooks,
+    stale_notebooks,
+    write,
+)
+from autograder.authoring.masters import read_masters
+from autograder.cli import main
+from autograder.errors import CourseError
+
+MASTER = "notebooks/source/1_kitchen.py"
+STUDENT = "notebooks/1_kitchen.ipynb"
+SOLVED = "solutions/notebooks/1_kitchen.ipynb"
+
+
+def cells(path: Path) -> dict[str, str]:
+    """Sources by cell id."""
+    notebook = json.loads(path.read_text(encoding="utf-8"))
+    return {cell["id"]: "".join(cell["source"]) for cell in notebook["cells"]}
+
+
+def change(path: Path, edit: Any) -> None:
+    notebook = json.loads(path.read_text(encoding="utf-8"))
+    edit(notebook)
+    path.write_text(json.dumps(notebook, indent=1) + "\n", encoding="utf-8")
+
+
+def stale(tiny_course) -> list[str]:
+    return [str(path.relative_to(tiny_course.root)) for path in stale_notebooks(tiny_course.load())]
+
+
+@pytest.fixture
+def built(tiny_course):
+    """The tiny course with its notebooks, the solved ones not run."""
+    tiny_course.write_notebooks()
+    return tiny_course
+
+
+def test_each_kind_of_exercise_has_its_stub(built):
+    sources = cells(built.root / STUDENT)
+    assert sources["Q1-1-response"] == 'ask("Q1.1")'
+    assert sources["Q1-2-response"] == 'ask("Q1.2")'
+    assert sources["Q1-3-response"] == "eggs = ..."
+    assert sources["Q1-4-response"] == "rim = ..."
+    assert sources["Q1-5-response"] == (
+        "def mean_weight(weights):\n"
+        '    """Return the mean of `weights`, a list of numbers in grams; 0 for none."""\n'
+        "    raise NotImplementedError"
+    )
+    assert sources["Q1-3-check"] == 'check("Q1.3", eggs)'
+    assert "Q1-1-check" not in sources
+
+
+def test_the_solved_notebook_differs_in_the_responses_only(built):
+    student, solved = cells(built.root / STUDENT), cells(built.root / SOLVED)
+    assert student.keys() == solved.keys()
+    differing = {id for id in student if student[id] != solved[id]}
+    assert differing == {f"Q1-{n}-response" for n in range(1, 6)}
+    assert solved["Q1-1-response"] == 'ask("Q1.1").respond([True, False, True])'
+    order = solved["Q1-2-response"].partition("respond(")[2].removesuffix(")")
+    assert json.loads(order) == ["cup", "boil", "stir", "pour", "stir_again", "drink"]
+    assert solved["Q1-3-response"] == "eggs = 3 * 4"
+    assert solved["Q1-5-response"].endswith("    return total / len(weights)")
+
+
+def test_the_heading_holds_title_points_prompt_symbols_and_hints(built):
+    heading = cells(built.root / STUDENT)["Q1-4-question"]
+    for part in ("### Q1.4 · A tray", "*4 points*", "How long is the rim", "| `a` | one side |"):
+        assert part in heading
+    assert "<details><summary>Hint 1</summary>\n\nWalk around it." in heading
+    assert "*1 point*" in cells(built.root / "notebooks/2_cellar.ipynb")["Q2-1-question"]
+
+
+def test_building_twice_gives_the_same_bytes(built):
+    course = built.load()
+    assert build_student_notebooks(course) == build_student_notebooks(built.load())
+    assert write(build_student_notebooks(course)) == []
+
+
+@pytest.mark.parametrize("inserted", ["# %% [markdown]\n# A new thought.\n\n", "# %%\nnew = 1\n\n"])
+@pytest.mark.parametrize(
+    "before", ["# %% [markdown]\n# # The", '# %% exercise="Q1.3"', "# %%\na, b"]
+)
+def test_all_ids_stay_when_a_cell_is_inserted(built, inserted, before):
+    old = cells(built.root / STUDENT)
+    built.replace(MASTER, before, inserted + before)
+    built.write_notebooks()
+    new = cells(built.root / STUDENT)
+    assert {id: new.get(id) for id in old} == old
+    assert len(new) == len(old) + 1
+
+
+def test_two_equal_cells_have_different_ids(built):
+    built.append(MASTER, "\n# %%\nsame = 1\n\n# %%\nsame = 1\n")
+    built.write_notebooks()
+    assert list(cells(built.root / STUDENT).values()).count("same = 1") == 2
+
+
+def test_nothing_is_stale_after_building_whatever_outputs_are_stored(built):
+    def execute(notebook):
+        for cell in notebook["cells"]:
+            if cell["cell_type"] == "code":
+                cell["execution_count"] = 3
+                cell["outputs"] = [{"output_type": "stream", "name": "stdout", "text": ["12"]}]
+
+    change(built.root / SOLVED, execute)
+    assert stale(built) == []
+
+
+def edited(notebook: dict[str, Any]) -> None:
+    notebook["cells"][0]["source"] = ["# Another kitchen"]
+
+
+def tagged(notebook: dict[str, Any]) -> None:
+    notebook["cells"][1]["metadata"] = {"tags": ["mine"]}
+
+
+def shortened(notebook: dict[str, Any]) -> None:
+    del notebook["cells"][2]
+
+
+def answered(notebook: dict[str, Any]) -> None:
+    cell = next(cell for cell in notebook["cells"] if cell["id"] == "Q1-3-response")
+    cell["source"] = ["eggs = 13"]
+
+
+@pytest.mark.parametrize("edit", [edited, tagged, shortened, answered])
+@pytest.mark.parametrize("notebook", [STUDENT, SOLVED])
+def test_an_edited_notebook_is_stale(built, notebook, edit):
+    change(built.root / notebook, edit)
+    assert stale(built) == [notebook]
+
+
+def test_a_student_notebook_with_outputs_is_stale(built):
+    def execute(notebook):
+        notebook["cells"][1]["execution_count"] = 1
+
+    change(built.root / STUDENT, execute)
+    assert stale(built) == [STUDENT]
+
+
+@pytest.mark.parametrize("notebook", [STUDENT, SOLVED])
+def test_a_missing_notebook_is_stale(built, notebook):
+    (built.root / notebook).unlink()
+    assert stale(built) == [notebook]
+
+
+@pytest.mark.parametrize("text", ["", "<<<<<<< HEAD\n{}", "[]", "{}", '{"cells": [3]}', "null"])
+@pytest.mark.parametrize("notebook", [STUDENT, SOLVED])
+def test_a_damaged_notebook_is_stale(built, notebook, text):
+    (built.root / notebook).write_text(text)
+    assert stale(built) == [notebook]
+
+
+@pytest.mark.parametrize("folder", ["notebooks", "solutions/notebooks"])
+def test_a_notebook_without_a_master_is_stale(built, folder):
+    (built.root / folder / "9_attic.ipynb").write_text("{}")
+    assert stale(built) == [f"{folder}/9_attic.ipynb"]
+
+
+def test_an_edited_answer_makes_only_the_solved_notebook_stale(built):
+    built.replace("solutions/answers/kitchen.toml", 'code = "3 * 4"', 'code = "4 * 3"')
+    assert stale(built) == [SOLVED]
+
+
+def test_build_check_tells_what_differs_and_writes_nothing(built, capsys):
+    command = ["--course", str(built.root), "build", "--check"]
+    assert main(command) == 0
+    (built.root / STUDENT).unlink()
+    assert main(command) == 1
+    said = capsys.readouterr().out
+    assert f"{STUDENT} differs from what the masters give." in said
+    assert "Run `autograder build`" in said
+    assert not (built.root / STUDENT).exists()
+
+
+def test_a_solved_notebook_is_executed_and_keeps_text_but_no_picture(tiny_course):
+    (tiny_course.root / MASTER).write_text(
+        "# %%\nprint('a shelf')\n\n"
+        "# %%\nimport matplotlib.pyplot as plt\n\nplt.plot([1, 2])\nNone\n"
+    )
+    for file in ("questions", "source"):
+        for path in (tiny_course.root / "notebooks" / file).glob("*cellar*"):
+            path.unlink()
+    (tiny_course.root / "notebooks/questions/kitchen.toml").write_text('title = "The kitchen"\n')
+    (tiny_course.root / "solutions/answers/kitchen.toml").write_text("")
+    (notebook,) = build_solved_notebooks(tiny_course.load())
+    outputs = [cell["outputs"] for cell in json.loads(notebook.text)["cells"]]
+    assert outputs[0][0]["text"] == ["a shelf\n"]
+    assert "image/png" not in notebook.text
+
+
+def test_a_solved_notebook_that_raises_is_said_with_its_name(tiny_course):
+    (tiny_course.root / "notebooks/source/2_cellar.py").write_text(
+        '# %%\n1 / 0\n\n# %% exercise="Q2.1"\n'
+    )
+    (tiny_course.root / "notebooks/source/1_kitchen.py").rename(
+        tiny_course.root / "notebooks/source/3_kitchen.py"
+    )
+    with pytest.raises(CourseError, match="The solved 2_cellar raises ZeroDivisionError"):
+        build_solved_notebooks(tiny_course.load())
+
+
+MASTER_MISTAKES = {
+    "a question that is asked twice": (
+        '# %% exercise="Q1.3"',
+        '# %% exercise="Q1.3"\n\n' * 2,
+        "2 times",
+    ),
+    "a question that is never asked": ('# %% exercise="Q1.3"\n', "", "Q1.3 is asked 0 times"),
+    "a question of another chapter": ('exercise="Q1.3"', 'exercise="Q2.1"', "belongs to cellar"),
+    "a question that does not exist": ('exercise="Q1.3"', 'exercise="Q7"', "asks 'Q7'"),
+    "an exercise that holds code": (
+        '# %% exercise="Q1.3"',
+        '# %% exercise="Q1.3"\neggs = 12',
+        "Q1.3 in 1_kitchen.py holds code",
+    ),
+}
+
+
+@pytest.mark.parametrize("mistake", MASTER_MISTAKES)
+def test_a_mistake_in_a_master_is_said(tiny_course, mistake):
+    old, new, said = MASTER_MISTAKES[mistake]
+    tiny_course.replace(MASTER, old, new)
+    with pytest.raises(CourseError, match=said):
+        read_masters(tiny_course.load())
+
+
+REFERENCE_MISTAKES = {
+    "no docstring": (
+        '    """Return the mean of `weights`, a list of numbers in grams; 0 for none."""\n',
+        "",
+        "Q1.5 has no docstring",
+    ),
+    "another name": ("def mean_weight(", "def mean(", "cannot be loaded"),
+}
+
+
+@pytest.mark.parametrize("mistake", REFERENCE_MISTAKES)
+def test_a_reference_that_gives_no_stub_is_said(tiny_course, mistake):
+    old, new, said = REFERENCE_MISTAKES[mistake]
+    tiny_course.replace("solutions/kitchen.py", old, new)
+    with pytest.raises(CourseError, match=said):
+        build_student_notebooks(tiny_course.load())
+
+
+def test_an_answer_without_code_is_said(tiny_course):
+    tiny_course.replace("solutions/answers/kitchen.toml", 'code = "3 * 4"\n', "")
+    with pytest.raises(CourseError, match=r"Q1\.3 has no code"):
+        build_student_notebooks(tiny_course.load())
+
+
+def test_the_committed_notebooks_of_the_real_course_are_those_of_the_masters(real_course):
+    assert stale_notebooks(real_course) == []

@@ -1,0 +1,123 @@
+"""Who may import whom, and what the trusted side must never call."""
+
+import ast
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parent.parent
+OURS = {"autograder", "benchmarks", "data", "notebooks", "solutions", "tests"}
+
+
+def sources(folder: str) -> list[Path]:
+    found = sorted((ROOT / folder).rglob("*.py"))
+    assert found, folder
+    return [path for path in found if not {"node_modules", "sample_class"} & set(path.parts)]
+
+
+def imported(path: Path) -> Iterator[str]:
+    """The full names of everything a file imports, at any depth, also by `importlib`."""
+    package = list(path.relative_to(ROOT).parent.parts)
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        match node:
+            case ast.Import(names=names):
+                yield from (alias.name for alias in names)
+            case ast.ImportFrom(module=module, names=names, level=level):
+                base = package[: len(package) - level + 1] if level else []
+                yield ".".join([*base, *([module] if module else [])])
+            case ast.Call(
+                func=ast.Attribute(attr="import_module") | ast.Name(id="__import__"),
+                args=[ast.Constant(value=str(name)), *_],
+            ):
+                yield name
+
+
+def our_packages(path: Path) -> set[str]:
+    return {name.partition(".")[0] for name in imported(path)} & OURS
+
+
+# Folder by folder: what of ours it may import. The sample class is made from the notebooks' files
+# and imports nothing of ours either.
+ALLOWED = {"data": {"data"}, "solutions": {"solutions"}, "autograder": {"autograder"}}
+
+
+@pytest.mark.parametrize("folder", ALLOWED)
+def test_a_package_imports_nothing_of_ours_but_itself(folder):
+    wrong = {
+        str(path.relative_to(ROOT)): our_packages(path) - ALLOWED[folder]
+        for path in sources(folder)
+        if our_packages(path) - ALLOWED[folder]
+    }
+    assert wrong == {}
+
+
+def test_pictures_import_nothing_of_ours_but_data_and_themselves():
+    for path in (ROOT / "notebooks").rglob("*.py"):
+        if "source" not in path.parts:
+            assert our_packages(path) <= {"data", "notebooks"}, path
+
+
+def test_masters_import_the_autograder_data_and_pictures_only():
+    """What a student's notebook imports must be in a student's bundle."""
+    for path in sources("notebooks/source"):
+        assert our_packages(path) <= {"autograder", "data", "notebooks", "figures"}, path
+
+
+def test_an_import_would_be_noticed_in_every_form(tmp_path, monkeypatch):
+    monkeypatch.setitem(globals(), "ROOT", tmp_path)
+    path = tmp_path / "autograder" / "sandbox" / "x.py"
+    path.parent.mkdir(parents=True)
+    for line in (
+        "import solutions",
+        "import numpy, solutions.ransac as r",
+        "from solutions import ransac",
+        "def f():\n    from solutions.ransac import ransac_line",
+        "import importlib\nimportlib.import_module('solutions.ransac')",
+        "__import__('solutions')",
+        "from ...solutions import ransac",
+    ):
+        path.write_text(line)
+        assert our_packages(path) == {"solutions"}, line
+
+
+# The trusted side: everything but what lives in the student's process or kernel.
+UNTRUSTED = {"worker.py", "notebook.py", "evaluate.py", "zygote.py", "serve.py", "warm.py"}
+TRUSTED = [
+    path
+    for path in sources("autograder")
+    if not (path.parent.name == "sandbox" and path.name in UNTRUSTED)
+    and ("student" not in path.parts or path.name == "marker_process.py")
+]
+RUNS_TEXT = {"eval", "exec", "compile", "execfile", "sympify", "parse_expr", "run_cell", "S"}
+UNPICKLES = {"pickle", "cPickle", "dill", "cloudpickle", "joblib", "shelve", "marshal"}
+
+
+def called(path: Path) -> Iterator[str]:
+    """Names of the functions a file calls: ``eval`` of ``eval(x)``, ``sympify`` of ``sp.sympify``.
+
+    Methods of a compiled pattern and the like are not meant: ``re.compile`` is left out.
+    """
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        match node:
+            case ast.Call(func=ast.Name(id=name)):
+                yield name
+            case ast.Call(func=ast.Attribute(value=ast.Name(id="re"))):
+                continue
+            case ast.Call(func=ast.Attribute(attr=name)):
+                yield name
+
+
+@pytest.mark.parametrize("path", TRUSTED, ids=lambda path: str(path.relative_to(ROOT)))
+def test_the_trusted_side_runs_no_text_and_unpickles_nothing(path):
+    assert not set(called(path)) & RUNS_TEXT
+    assert not {name.partition(".")[0] for name in imported(path)} & UNPICKLES
+    text = path.read_text(encoding="utf-8")
+    assert "allow_pickle=True" not in text
+    assert "shell=True" not in text
+
+
+def test_marking_and_the_key_do_not_import_sympy():
+    """Whose parser executes what it reads; only the student's process needs it."""
+    for path in [*sources("autograder/marking"), ROOT / "autograder/formula.py"]:
+        assert "sympy" not in {name.partition(".")[0] for name in imported(path)}, path
