@@ -187,11 +187,12 @@ def report(students: int, rounds: int, graders: list[Contender], alone: Cost, la
     lines = [
         "# Grading: this project and its peers",
         "",
-        f"`uv run python -m benchmarks.grading`: {students} copies of a notebook with ten questions "
-        "(numpy, sympy, matplotlib, OpenCV, one function checked on five inputs), everything right. "
-        f"The graders took turns, {rounds} rounds, the median counts. CPU is that of all processes; "
-        "gradebook, table and feedback pages are included. otter-grader runs without its "
-        "containers and all submissions in one process, which is faster than `otter run` for each.",
+        f"`uv run python -m benchmarks.grading`: {students} copies of a notebook with ten "
+        "questions (numpy, sympy, matplotlib, OpenCV, one function checked on five inputs), "
+        f"everything right. The graders took turns, {rounds} rounds, the median counts. CPU is "
+        "that of all processes; gradebook, table and feedback pages are included. otter-grader "
+        "runs without its containers and with all submissions in one process, which is faster "
+        "than `otter run` for each.",
         "",
         f"{os.cpu_count()} cores, Python {platform.python_version()}, {platform.machine()}.",
         "",
