@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import json
+import re
 import statistics
 from collections.abc import Iterator
 from pathlib import Path
@@ -149,9 +150,9 @@ def test_hints_come_one_at_a_time(sheet: Notebook):
 
 def test_the_progress_bar_follows_by_itself(sheet: Notebook):
     bar = sheet.page.locator('.autograder[aria-label="Progress"] li').first
-    expect(bar).to_contain_text("0 of 2 answered")
+    expect(bar).to_contain_text(re.compile(r"\D0 of \d+ answered"))
     choose(sheet, 0, True)
-    expect(bar).to_contain_text("1 of 2 answered")
+    expect(bar).to_contain_text(re.compile(r"\D1 of \d+ answered"))
 
 
 def test_cards_are_dragged_with_the_mouse(sheet: Notebook):
