@@ -185,9 +185,8 @@ def _leaks(course: Course, student_notebooks: list[str]) -> Iterator[str]:
     }
     for text in student_notebooks:
         cells = json.loads(text)["cells"]
-        texts[f"the notebook “{cells[0]['source'][0].strip('# \n')}”"] = "\n".join(
-            "".join(cell["source"]) for cell in cells
-        )
+        title = "".join(cells[0]["source"]).partition("\n")[0].strip("# ")
+        texts[f"the notebook “{title}”"] = "\n".join("".join(cell["source"]) for cell in cells)
     for id, answer in course.key.items():
         patterns = [re.escape(secret) for secret in _secrets(answer) if len(secret) > 8]
         question = course.questions[id]

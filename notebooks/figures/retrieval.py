@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 from matplotlib.patches import ConnectionPatch
+from matplotlib.ticker import ScalarFormatter
 
 from notebooks.figures.style import (
     BLUE,
@@ -132,6 +133,7 @@ def agreement(counts: dict[str, Sequence[int]], walk: Images, pairs: Pairs, thre
     axes.plot([], [], "x", color=GREY, label="another place")
     axes.axvline(threshold, color=VERMILLION, linestyle="--", label=f"threshold {threshold}")
     axes.set_xscale("log")
+    axes.xaxis.set_major_formatter(ScalarFormatter())
     axes.set_yticks(range(len(counts)), [f"query {name}" for name in counts])
     axes.invert_yaxis()
     axes.set_xlabel("matches that agree with one geometry")
@@ -174,6 +176,7 @@ def first_places(searches: dict[str, Callable[..., Any]], images: Images, pairs:
     axes.set_yticks(range(len(searches)), list(searches))
     axes.invert_yaxis()
     axes.set_xlim(0, len(asked) * 1.12)
+    axes.set_xticks(range(0, len(asked) + 1, 5))
     axes.set_xlabel("photographs whose first place is right")
     quiet(axes)
     show(fig, f"How often the first place is right. {'; '.join(said) or NOT_YET}")

@@ -28,7 +28,7 @@ from notebooks import figures
 # These are the places that the robot knows, 20 photographs of a walk round a campus. Some of them show the same
 # building. (The numbers are the camera's.)
 
-# %%
+# %% demo=true
 walk = data.campus_photographs()
 figures.photographs(walk)
 
@@ -36,7 +36,7 @@ figures.photographs(walk)
 # And here are five photographs that it takes later. Where was it? **Decide for yourself first**, for each of
 # the five: which photographs above show the same place?
 
-# %%
+# %% demo=true
 queries = data.campus_queries()
 figures.photographs(queries)
 
@@ -50,12 +50,12 @@ figures.photographs(queries)
 # such as the corner of a window. It describes the surroundings of each by a vector of numbers, the
 # **descriptor**. A keypoint with its descriptor is a **feature**.
 
-# %%
+# %% demo=true
 sift = cv2.SIFT_create(1000)
 keypoints, descriptors = sift.detectAndCompute(walk["0503"], None)
 print(f"{descriptors.shape[1]} numbers describe each keypoint")
 
-# %%
+# %% demo=true
 figures.keypoints(walk["0503"], keypoints)
 
 # %% [markdown]
@@ -148,7 +148,7 @@ figures.descriptor_space()
 #
 # Now you build what you have put in order. First the features of all photographs:
 
-# %%
+# %% demo=true
 photographs = {**walk, **queries}
 features = {name: sift.detectAndCompute(image, None) for name, image in photographs.items()}
 collection = np.vstack([features[name][1] for name in walk])
@@ -170,7 +170,7 @@ print(f"{len(walk)} photographs of the walk have about {len(collection) // 1000}
 # the centres of each level, `levels[0]` those of the first $k$ groups. The children of row $i$ of one level are the
 # rows $k i$ to $k i + k - 1$ of the next. Besides, the function keeps the `node` of each descriptor.
 
-# %%
+# %% demo=true
 def k_means(points, k):
     """Return the (k, 128) centres of k groups of points, and the group of each point."""
     stop = (cv2.TERM_CRITERIA_MAX_ITER, 10, 0)
@@ -211,7 +211,7 @@ figures.word_patches(
 # With your function every photograph becomes a list of words. (`@cache` keeps the result, so that each photograph is
 # looked at only once.) To find a word takes 8 comparisons at each of 3 levels, not 512.
 
-# %%
+# %% demo=true
 @cache
 def words_of(name):
     """Return the words of a photograph, one for each of its features."""
@@ -232,7 +232,7 @@ def words_of(name):
 # Now ask it. For each of the five photographs the votes of all places are drawn, and the three best are shown beside
 # them. (The bars do not start at zero, or you would see no difference.)
 
-# %%
+# %% demo=true
 def votes_for(name, places=tuple(walk)):
     """Return the votes of a photograph for each place."""
     inverted_file = build_inverted_file([words_of(place) for place in places], len(levels[-1]))
@@ -240,7 +240,7 @@ def votes_for(name, places=tuple(walk)):
 
 
 # %% demo=true
-same = data.same_place_pairs(by_eye=True)
+same = data.same_place_pairs(by_eye=True)  # for the colours only; the search does not know it
 figures.search_results(queries, walk, votes_for, same, "votes")
 
 # %% [markdown]
@@ -269,7 +269,7 @@ figures.search_results(queries, walk, votes_for, same, "votes")
 
 # %% exercise="Q1.8"
 
-# %%
+# %% demo=true
 def likeness_to(name, places=tuple(walk)):
     """Return how alike a photograph and each place are: 0 nothing in common, 2 equal."""
     bags = [np.bincount(words_of(other), minlength=len(levels[-1])) for other in (name, *places)]
@@ -294,7 +294,7 @@ figures.search_results(queries, walk, likeness_to, same, "likeness")
 #
 # First, the matches: pairs of spots that are each other's nearest, and clearly nearer than the second nearest.
 
-# %%
+# %% demo=true
 @cache
 def match(one, other):
     """Return the matched spots of two photographs: two (N, 2) arrays, in pixels."""
@@ -312,27 +312,28 @@ def match(one, other):
 # of the matches are wrong, so OpenCV looks for the matrix that most of them agree with. It does so by guessing, with an
 # algorithm that has a whole chapter of its own: RANSAC, chapter 3.
 
-# %%
+# %% demo=true
 @cache
 def agreeing(one, other):
     """Return for each match whether it agrees with the fundamental matrix that most agree with."""
     cv2.setRNGSeed(0)
-    _, inliers = cv2.findFundamentalMat(*match(one, other), cv2.FM_RANSAC, 1.5, 0.999)
-    return inliers.ravel() > 0
+    here, there = match(one, other)
+    _, inliers = cv2.findFundamentalMat(here, there, cv2.FM_RANSAC, 1.5, 0.999)
+    return np.zeros(len(here), dtype=bool) if inliers is None else inliers.ravel() > 0
 
 
 # %% [markdown]
 # The same place, seen from two sides:
 
-# %%
+# %% demo=true
 figures.matches(
     photographs["0508"], walk["0510"], *match("0508", "0510"), agreeing("0508", "0510"), "0508, 0510"
 )
 
 # %% [markdown]
-# And the palm trees with a place that is somewhere else:
+# And the palm trees with the place that won the votes:
 
-# %%
+# %% demo=true
 figures.matches(
     photographs["0513"], walk["0506"], *match("0513", "0506"), agreeing("0513", "0506"), "0513, 0506"
 )
@@ -341,7 +342,7 @@ figures.matches(
 # A few matches always agree by chance: there is some matrix that suits a dozen of them. How many are enough? Here is the
 # number of matches that agree, for each query with each place:
 
-# %%
+# %% demo=true
 counts = {name: [agreeing(name, place).sum() for place in walk] for name in queries}
 figures.agreement(counts, walk, same, threshold=15)
 
@@ -352,7 +353,7 @@ figures.agreement(counts, walk, same, threshold=15)
 #
 # Your search with the verification of its five best candidates: a place that is verified goes to the front.
 
-# %%
+# %% demo=true
 def verified_likeness_to(name, places=tuple(walk)):
     """Return the likeness of each place, plus the number of agreeing matches if it is verified."""
     likeness = likeness_to(name, places)

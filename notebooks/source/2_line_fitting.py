@@ -24,7 +24,7 @@ from notebooks import figures
 # angle `angles[i]` in radians and the length `ranges[i]` in metres; the robot stands at the origin and looks
 # along the $x$-axis. Sine and cosine turn the beams into points:
 
-# %%
+# %% demo=true
 scans = data.killian_court()
 ranges, angles = scans.ranges[161], scans.angles
 points = np.column_stack([ranges * np.cos(angles), ranges * np.sin(angles)])
@@ -38,20 +38,22 @@ figures.scan(points, wall)
 #
 # ## A line without a slope
 #
-# At school a line is $y = mx + b$, and NumPy finds $m$ and $b$ by `polyfit`. **Before you run the cell**:
-# which slope should the wall ahead have?
+# At school a line is $y = mx + b$, and NumPy finds $m$ and $b$ by `polyfit`. It measures the errors of the points along $y$.
+# With the axes exchanged it measures them along $x$ and finds $x = m'y + b'$, which is a line with the slope $1/m'$.
+# **Before you run the cell**: should the two slopes be the same?
 
-# %%
+# %% demo=true
 x, y = wall.T
 m, b = np.polyfit(x, y, 1)
-print(f"m = {m:.2f}, b = {b:.2f} m")
+m_exchanged, b_exchanged = np.polyfit(y, x, 1)
+print(f"errors along y: m = {m:.1f}; errors along x: m = {1 / m_exchanged:.1f}")
 
 # %% [markdown]
-# That is a line going down at about 25°, at right angles to nothing in the picture. The reason: `polyfit`
-# measures errors along $y$ only, and for an upright wall a tiny error in $x$ is a huge one in $y$. Below, one
-# artificial wall of four metres is turned step by step. Watch the slope on the way:
+# One wall, and two slopes that have little in common. For an upright wall a tiny error in $x$ is a huge one in $y$, and if the
+# wall stands exactly upright, no $m$ is right. Below, an artificial wall of four metres is turned step by step, and
+# $y = mx + b$ is fitted each time. Watch the slope on the way:
 
-# %%
+# %% demo=true
 rng = np.random.default_rng(0)
 straight = np.column_stack([np.linspace(-2, 2, 40), rng.normal(0, 0.12, 40)])
 figures.steep_walls(straight)
@@ -113,7 +115,7 @@ class Line(NamedTuple):
 # In the picture each squared distance is the area of a square. Change $r$ and $\alpha$ by hand and try to get
 # the cost below 0.3 m². Which of the two numbers is easier to adjust?
 
-# %%
+# %% demo=true
 five = np.array([[1, 2.6], [2, 2.1], [3, 1.9], [4, 0.9], [5, 0.8]])
 figures.squared_distances(five, Line(r=2.0, alpha=math.radians(80)))
 
@@ -145,7 +147,7 @@ S_xx, S_yy, S_xy = sp.symbols("S_xx S_yy S_xy", real=True)
 # An example of how a slope of a sum is written: for $\sum_i (r - x_i)^2$ each term has the slope
 # $2 (r - x_i)$, and all together have $2 (N r - \sum_i x_i)$, in Python:
 
-# %%
+# %% demo=true
 2 * (N * r - sum_x)
 
 # %% exercise="Q2.2a"
@@ -161,7 +163,7 @@ S_xx, S_yy, S_xy = sp.symbols("S_xx S_yy S_xy", real=True)
 # $(1, 2)$, so $\tilde x = (1, 0, -1)$ and $\tilde y = (2, 1, -3)$, which gives $S_{xx} = 2$,
 # $S_{yy} = 14$ and $S_{xy} = 5$. The same for the wall of the scan:
 
-# %%
+# %% demo=true
 dx, dy = (wall.mean(axis=0) - wall).T
 print(f"S_xx = {dx @ dx:.2f}, S_yy = {dy @ dy:.2f}, S_xy = {dx @ dy:.2f} m²")
 
@@ -181,7 +183,7 @@ print(f"S_xx = {dx @ dx:.2f}, S_yy = {dy @ dy:.2f}, S_xy = {dx @ dy:.2f} m²")
 # A slope of zero is found at the bottom of a valley and at the top of a hill. Here is the cost over the angle
 # for two clouds of points, with the best $r$ for each angle. Your angle is marked, once you have one:
 
-# %%
+# %% demo=true
 along = np.linspace(-1.8, 1.8, 30)
 flat = np.column_stack([2.5 + along, 1.2 + 0.3 * along + rng.normal(0, 0.15, 30)])
 steep = np.column_stack([2 + 0.3 * along + rng.normal(0, 0.15, 30), 1.8 + 0.9 * along])
@@ -220,7 +222,7 @@ figures.cost_over_angle({"a flat wall": flat, "a steep wall": steep}, alpha_min)
 # %% exercise="Q2.3"
 
 # %% [markdown]
-# Your line on the wall where `polyfit` failed:
+# Your line on the wall for which `polyfit` had two answers:
 
 # %% demo=true
 figures.fitted_line(wall, fit_line)

@@ -50,7 +50,7 @@ def distances(points, line):
 # Here is the scan of chapter 2 again, with *all* its points, and the line of least squares through them. The band around
 # it is 10 cm wide on both sides.
 
-# %%
+# %% demo=true
 scans = data.killian_court()
 ranges, angles = scans.ranges[161], scans.angles
 points = np.column_stack([ranges * np.cos(angles), ranges * np.sin(angles)])
@@ -73,7 +73,7 @@ figures.hypothesis(points, fit_line(points), threshold=0.1)
 #
 # The picture shows one model and its consensus set, among 26 points. In the title stands what counts:
 
-# %%
+# %% demo=true
 few = figures.few_points()
 figures.hypothesis(few, Line(r=2.0, alpha=math.radians(115)), threshold=0.3)
 
@@ -225,7 +225,7 @@ figures.found_line(points, ransac_line, threshold=0.06, iterations=100)
 # found in both can be located in space. The result is a cloud of points, and nothing says which of them belong to which
 # wall:
 
-# %%
+# %% demo=true
 bricks = data.brick_walls()
 figures.cloud(bricks.points, bricks.colors)
 
@@ -285,7 +285,7 @@ figures.walls_of_scan(points, find_walls, threshold=0.06, iterations=200, min_po
 # and its heading. (The poses come from a program that had recognised places and closed loops, as in chapter 1.)
 # A beam with the angle $\theta$ seen from a robot with the heading $\varphi$ points in the direction $\theta + \varphi$:
 
-# %%
+# %% demo=true
 x, y, heading = scans.poses.T[:, :, np.newaxis]
 seen = np.where(scans.ranges < 30, scans.ranges, np.nan)
 world_x = x + seen * np.cos(heading + scans.angles)
