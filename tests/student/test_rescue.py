@@ -47,6 +47,14 @@ def test_answers_come_back_from_the_notebook(
     assert capsys.readouterr().out == ""
 
 
+def test_a_file_that_is_lost_while_the_kernel_runs_loses_no_other_answer(own_garden: Path):
+    ask("Q1.1").respond([False, True])
+    save_receipts(own_garden, {"Q1.1": [False, True]})
+    (own_garden / "notebooks/responses/garden.json").unlink()
+    ask("Q1.2").respond(["sow", "water", "eat"])
+    assert "A fern has flowers. → false" in repr(ask("Q1.1"))
+
+
 def test_whoever_names_a_folder_of_responses_starts_empty(
     own_garden: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ):
