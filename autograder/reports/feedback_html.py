@@ -160,7 +160,7 @@ def _parts(question: Question, mark: Mark) -> list[str]:
     if all(part.right for part in mark.parts):
         return []
     return [
-        '<p class="label">Kinds of input</p>',
+        f'<p class="label">{"Cards" if isinstance(question, Order) else "Kinds of input"}</p>',
         f"<ul>{''.join(_part(part) for part in mark.parts)}</ul>",
     ]
 
