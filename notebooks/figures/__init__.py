@@ -5,7 +5,7 @@ from notebooks.figures.consensus import few_points, found_line, guesses, hypothe
 from notebooks.figures.cost import cost_over_angle, squared_distances
 from notebooks.figures.features import compare_features, keypoints, photographs
 from notebooks.figures.fits import fitted_line, one_outlier, scan, scattered_fits, uncertain_line
-from notebooks.figures.mapping import corridor, corridor_walls, walls_of_scan
+from notebooks.figures.mapping import corridor, corridor_walls, three_senses, walls_of_scan
 from notebooks.figures.polar import polar_line, polar_lines, steep_walls
 from notebooks.figures.retrieval import agreement, first_places, matches, search_results
 from notebooks.figures.space import cloud, largest_planes
@@ -40,6 +40,7 @@ __all__ = [
     "search_results",
     "squared_distances",
     "steep_walls",
+    "three_senses",
     "uncertain_line",
     "waiting_times",
     "walls_of_scan",
