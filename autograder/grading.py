@@ -202,8 +202,10 @@ def _grade_chapter(
         understood = _dictionary(report.get("understood"))
         marks = []
         for question in asked:
-            if isinstance(question, TrueFalse | Order):
-                marks.append(marker.mark(question.id, responses.get(question.id)))
+            is_choice = isinstance(question, TrueFalse | Order)
+            choice = responses.get(question.id) if is_choice else None
+            if choice is not None:
+                marks.append(marker.mark(question.id, choice))
             elif chapter.name in contents.unreadable:
                 reason = contents.unreadable[chapter.name]
                 marks.append(stopped(question, "unreadable", reason))
@@ -211,6 +213,8 @@ def _grade_chapter(
                 marks.append(not_attempted(question, "Its notebook was not handed in."))
             elif failure is not None:
                 marks.append(stopped(question, failure.status, _notebook_stopped(failure)))
+            elif is_choice:
+                marks.append(not_attempted(question))
             else:
                 said = str(understood.get(question.name or "", ""))
                 marks.append(_mark_named(question, session, marker, cells, report, said))

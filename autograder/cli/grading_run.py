@@ -9,7 +9,8 @@ from functools import partial
 
 from rich.console import Console
 
-from autograder.cli.common import print_json
+from autograder.classlist import handed_in_at
+from autograder.cli.common import find_class_list, print_json
 from autograder.cli.status import DONE
 from autograder.course import Course
 from autograder.gradebook import Gradebook, Record, Run
@@ -17,7 +18,7 @@ from autograder.grading import Graded, grade_all
 from autograder.marker import Marker
 from autograder.regrading import Change, changes
 from autograder.reports.machine import change_fields, record_fields
-from autograder.reports.terminal import print_changes, print_table, progress_bar
+from autograder.reports.terminal import print_changes, print_table, progress_bar, warn
 from autograder.reports.write import Options, write_reports
 from autograder.sandbox.launcher import NO_SANDBOX, Isolation, isolation_text
 from autograder.submissions import Submission
@@ -32,6 +33,7 @@ def grade_and_report(
     regrade: bool,
 ) -> int:
     """Grade, show what changed, and (unless it is a dry run) keep it and write the reports."""
+    find_class_list(parsed, book)  # a broken one is said before anything runs
     questions = frozenset(course.question(id).id for id in parsed.question or ()) or None
     before = {record.student: record for record in book.records()}
     isolation: Isolation = "none" if parsed.no_sandbox else "auto"
@@ -42,6 +44,8 @@ def grade_and_report(
     if questions is None and not parsed.dry_run:
         known = partial(book.find, run=run, questions=course.questions.keys())
     graded: list[Graded] = []
+    if parsed.no_sandbox:
+        warn("Student code runs with your own rights (--no-sandbox); every report says so.")
     began = time.monotonic()
     with progress_bar() as progress:
         task = progress.add_task("", total=len(submissions))
@@ -61,7 +65,16 @@ def grade_and_report(
     if parsed.explanations is not None:
         book.set("explanations", "yes" if parsed.explanations else "no")
     students = {submission.student for submission in submissions}
-    options = Options(parsed.out, parsed.class_list, students)
+    class_list = find_class_list(parsed, book)
+    book.set_lateness(
+        {
+            submission.student: class_list.lateness(
+                submission.student, handed_in_at(submission.path)
+            )
+            for submission in submissions
+        }
+    )
+    options = Options(parsed.out, students)
     written = write_reports(course, book, options, console)
     records = [record for record in book.records() if record.student in students]
     if parsed.json:

@@ -11,7 +11,7 @@ import numpy as np
 from autograder.course import Course
 from autograder.gradebook.record import Record
 from autograder.marking import Mark
-from autograder.questions import Question, TrueFalse
+from autograder.questions import Order, Question, TrueFalse
 from autograder.reports.machine import most_points
 
 FEWEST = 10  # below that, a correlation is chance
@@ -170,6 +170,8 @@ def _mistake_names(question: Question, mark: Mark) -> list[str]:
         ]
     if mark.alternative is not None:
         return [mark.alternative]
+    if isinstance(question, Order):
+        return []  # every wrong order has its own cards out of place
     return [f"wrong on: {part.label}" for part in mark.parts if part.right is False]
 
 

@@ -17,11 +17,11 @@ from playwright.sync_api import Locator, Page
 
 ROOT = Path(__file__).parents[2]
 COURSE = ("notebooks", "solutions", "data", "pyproject.toml")
-SECONDS = 30.0
+SECONDS = 60.0
 
 
 class Server:
-    """JupyterLab and Notebook 7 on 127.0.0.1, with settings and kernels in a folder of their own."""
+    """JupyterLab and Notebook 7 on 127.0.0.1, with settings and kernels of their own."""
 
     def __init__(self, folder: Path) -> None:
         self.course = folder / "course"
@@ -94,11 +94,12 @@ class Server:
 class Notebook:
     """A notebook in a page of JupyterLab."""
 
-    def __init__(self, page: Page, server: Server, path: str, app: str = "lab/tree") -> None:
+    def __init__(self, page: Page, server: Server, path: str, app: str = "") -> None:
         self.page = page
         self.server = server
         self.path = path
-        self.app = app
+        # A workspace of its own, or JupyterLab would open what was open before.
+        self.app = app or f"lab/workspaces/{secrets.token_hex(4)}/tree"
 
     def open(self) -> Notebook:
         """Open it and wait for its kernel."""
@@ -109,8 +110,8 @@ class Notebook:
     def wait_for_kernel(self) -> None:
         """Wait until the kernel is connected and idle."""
         self._wait(
-            "panel.sessionContext.isReady && panel.sessionContext.session?.kernel"
-            "?.connectionStatus === 'connected' && kernel.status === 'idle'"
+            f"panel.context.path === 'notebooks/{self.path}' && panel.sessionContext.isReady"
+            " && kernel.connectionStatus === 'connected' && kernel.status === 'idle'"
         )
 
     def command(self, name: str) -> None:
@@ -152,6 +153,14 @@ class Notebook:
             source,
         )
 
+    def append(self, source: str) -> None:
+        """Add a cell at the end."""
+        self.page.evaluate(
+            f"source => {{ {_CURRENT}.content.model.sharedModel.addCell"
+            "({cell_type: 'code', source}) }",
+            source,
+        )
+
     def sources(self) -> list[str]:
         """The sources of all cells."""
         return list(self.evaluate("cells.map(cell => cell.sharedModel.source)"))
@@ -159,6 +168,10 @@ class Notebook:
     def save(self) -> None:
         """Save it and wait until nothing is unsaved."""
         self.command("docmanager:save")
+        self.wait_until_saved()
+
+    def wait_until_saved(self) -> None:
+        """Wait until nothing is unsaved."""
         self._wait("!panel.context.model.dirty", with_kernel=False)
 
     def evaluate(self, expression: str) -> Any:
@@ -185,7 +198,7 @@ class Notebook:
         return found
 
 
-_CURRENT = "window.jupyterapp.shell.currentWidget"
+_CURRENT = "window.jupyterapp?.shell?.currentWidget"
 _NAMES = (
     f"const panel = {_CURRENT}; const kernel = panel?.sessionContext?.session?.kernel;"
     " const cells = panel?.content?.model?.cells ? Array.from(panel.content.model.cells) : [];"
