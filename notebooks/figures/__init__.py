@@ -3,6 +3,7 @@
 from notebooks.figures.chances import growth, noisy_inliers, runs_that_failed, waiting_times
 from notebooks.figures.consensus import few_points, found_line, guesses, hypothesis
 from notebooks.figures.cost import cost_over_angle, squared_distances
+from notebooks.figures.examples import nearest_words, occurrences, way_down
 from notebooks.figures.features import compare_features, keypoints, photographs
 from notebooks.figures.fits import fitted_line, one_outlier, scan, scattered_fits, uncertain_line
 from notebooks.figures.mapping import corridor, corridor_walls, three_senses, walls_of_scan
@@ -29,7 +30,9 @@ __all__ = [
     "keypoints",
     "largest_planes",
     "matches",
+    "nearest_words",
     "noisy_inliers",
+    "occurrences",
     "one_outlier",
     "photographs",
     "polar_line",
@@ -44,5 +47,6 @@ __all__ = [
     "uncertain_line",
     "waiting_times",
     "walls_of_scan",
+    "way_down",
     "word_patches",
 ]

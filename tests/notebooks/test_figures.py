@@ -77,6 +77,9 @@ UNTOUCHED = {
     "walls_of_scan": lambda: figures.walls_of_scan(POINTS, stub, 0.1, 5, 5),
     "corridor_walls": lambda: figures.corridor_walls(SCANS, stub, 500, 0.1, 5, 5),
     "largest_planes": lambda: figures.largest_planes(SPACE.points, stub, 0.02, 5),
+    "nearest_words": lambda: figures.nearest_words(POINTS, POINTS[:2], stub),
+    "way_down": lambda: figures.way_down(POINTS[0], [POINTS[:2], POINTS[:4]], stub),
+    "occurrences": lambda: figures.occurrences([np.array([0, 1])], 2, stub),
     "search_results": lambda: figures.search_results(WALK, WALK, stub, PAIRS, "votes"),
     "first_places": lambda: figures.first_places({"votes": stub}, WALK, PAIRS),
 }
