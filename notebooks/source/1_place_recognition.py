@@ -164,6 +164,13 @@ print(f"{len(walk)} photographs of the walk have about {len(collection) // 1000}
 # %% exercise="Q1.3"
 
 # %% [markdown]
+# The example that was worked by hand, with your function:
+
+# %% demo=true
+three, two = np.array([[1.0, 0], [3, 1], [5, 5]]), np.array([[0.0, 0], [4, 0]])
+figures.nearest_words(three, two, assign_words)
+
+# %% [markdown]
 # ### The tree
 #
 # This is how the tree is trained: k-means on all descriptors, then k-means once more in each group, and so on. `levels` has
@@ -207,6 +214,10 @@ figures.word_patches(
 
 # %% exercise="Q1.4"
 
+# %% demo=true
+small_tree = [np.array([[0.0, 0], [10, 0]]), np.array([[-1.0, 0], [1, 0], [8, 0], [12, 0]])]
+figures.way_down(np.array([9.0, 1.0]), small_tree, descend_tree)
+
 # %% [markdown]
 # With your function every photograph becomes a list of words. (`@cache` keeps the result, so that each photograph is
 # looked at only once.) To find a word takes 8 comparisons at each of 3 levels, not 512.
@@ -220,11 +231,18 @@ def words_of(name):
 
 # %% [markdown]
 # ### The inverted file
+#
+# The list of words of each image is turned round: for each word, the images that have it.
 
 # %% exercise="Q1.5"
 
+# %% demo=true
+figures.occurrences([np.array([0, 1, 1]), np.array([2, 0])], 4, build_inverted_file)
+
 # %% [markdown]
 # ### The votes
+#
+# The words of the test image are known now. Each of them is looked up, and votes.
 
 # %% exercise="Q1.6"
 
