@@ -252,7 +252,7 @@ def _grade_chapter(
             elif is_choice:
                 marks.append(not_attempted(question))
             else:
-                said = str(understood.get(question.name or "", ""))
+                said = _line(understood.get(question.name or "", ""))
                 marks.append(_mark_named(question, session, marker, cells, report, said))
         return marks
 
@@ -303,6 +303,12 @@ def _defining_cell_failed(name: str, cells: list[str], report: dict[str, Any]) -
         error is not None and defines.search(cell)
         for cell, error in zip(cells, errors, strict=False)
     )
+
+
+def _line(value: Any) -> str:
+    """One short printable line of what a student's process said; it may have said anything."""
+    text = value if isinstance(value, str) else ""
+    return "".join(c if c.isprintable() else " " for c in text[:200])
 
 
 def _dictionary(value: Any) -> dict[str, Any]:

@@ -18,6 +18,7 @@ from autograder.grading import Graded, grade_all
 from autograder.marker import Marker
 from autograder.regrading import Change, changes
 from autograder.reports.machine import change_fields, record_fields
+from autograder.reports.pictures import Pictures
 from autograder.reports.terminal import print_changes, print_table, progress_bar, warn
 from autograder.reports.write import Options, write_reports
 from autograder.sandbox.launcher import NO_SANDBOX, Isolation, isolation_text
@@ -33,7 +34,9 @@ def grade_and_report(
     regrade: bool,
 ) -> int:
     """Grade, show what changed, and (unless it is a dry run) keep it and write the reports."""
-    find_class_list(parsed, book)  # a broken one is said before anything runs
+    # What is broken is said before anything runs.
+    find_class_list(parsed, book)
+    Pictures(course)
     questions = frozenset(course.question(id).id for id in parsed.question or ()) or None
     before = {record.student: record for record in book.records()}
     isolation: Isolation = "none" if parsed.no_sandbox else "auto"
@@ -89,8 +92,11 @@ def grade_and_report(
         return DONE
     if console.is_terminal:
         print_table(console, course, records)
-    if changed:
+    if changed and console.is_terminal:
         print_changes(console, before, changed)
+    elif changed:
+        students = {change.student for change in changed}
+        console.print(f"{len(changed)} marks of {len(students)} students are others than before.")
     console.print(f"{len(submissions)} graded; {written}.", soft_wrap=True, markup=False)
     return DONE
 
