@@ -16,6 +16,7 @@ from solutions.place_recognition import (
 )
 from solutions.place_recognition import index as index_module
 from solutions.place_recognition.postings import postings_of
+from solutions.place_recognition.storage import write_arrays
 
 images = st.lists(st.lists(st.integers(0, 8), max_size=12), max_size=12)
 
@@ -203,6 +204,24 @@ def test_a_database_needs_its_own_tree(tmp_path, tree, places):
     tree.save(tmp_path / "tree")
     with pytest.raises(ValueError, match="does not hold an image database"):
         ImageDatabase.load(tmp_path / "tree", tree)
+
+
+@pytest.mark.parametrize(
+    "damage", [{"starts_0": None}, {"names": b"[]"}, {"names": b"{"}, {"words_0": b"x"}]
+)
+def test_a_database_with_a_part_missing_or_wrong_is_named(tmp_path, tree, places, damage):
+    database = ImageDatabase(tree)
+    database.add("place", places["place 0"])
+    database.save(tmp_path / "places.db")
+    arrays = dict(np.load(tmp_path / "places.db", allow_pickle=False))
+    for name, content in damage.items():
+        if content is None:
+            del arrays[name]
+        else:
+            arrays[name] = np.frombuffer(content, np.uint8)
+    write_arrays(tmp_path / "places.db", **arrays)
+    with pytest.raises(ValueError, match=r"places\.db is damaged"):
+        ImageDatabase.load(tmp_path / "places.db", tree)
 
 
 def test_wrong_use_is_said_in_one_sentence(places, tree):
