@@ -32,7 +32,9 @@ from autograder import ask, check, progress, submit
 from notebooks import figures
 
 photographs, scans = data.campus_photographs(), data.killian_court()
-print(f"Everything is installed, {len(photographs)} photographs and {len(scans.ranges)} scans are here.")
+print(
+    f"Everything is installed, {len(photographs)} photographs and {len(scans.ranges)} scans are here."
+)
 
 # %% [markdown]
 # And pictures? This is what the robot sees, and what you will make of it. (In the middle the robot is the orange triangle,
