@@ -114,7 +114,8 @@ def assertions(question: Question) -> str:
         return dedent(f"""
             for a, b in [(0.3, 1.2), (1.7, 0.4), (2.2, 2.9), (0.9, 3.1), (1.1, 1.3)]:
                 value = float({question.name}.subs({{x: a, y: b}}))
-                expected = eval("{question.wanted}", {{"sin": math.sin, "cos": math.cos}}, dict(x=a, y=b))
+                functions = {{"sin": math.sin, "cos": math.cos}}
+                expected = eval("{question.wanted}", functions, {{"x": a, "y": b}})
                 assert abs(value - expected) < 1e-9
         """).strip()
     return f"assert abs({question.name} - {question.wanted}) < 1e-6"
@@ -139,7 +140,8 @@ def write_course(root: Path, students: int) -> None:
             head = "sample = {x = [0.2, 3.0], y = [0.2, 3.0]}"
             answer = f'expression = "{question.wanted}"'
         asked.append(
-            f'[[question]]\nid = "Q{number}"\nkind = "{kind}"\npoints = 1\ntitle = "{question.name}"\n'
+            f'[[question]]\nid = "Q{number}"\nkind = "{kind}"\npoints = 1\n'
+            f'title = "{question.name}"\n'
             f'prompt = "Find {question.name}."\nhints = ["Look again."]\n'
             f'{field} = "{question.name}"\n{extra}'
         )

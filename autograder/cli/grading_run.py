@@ -18,6 +18,7 @@ from autograder.grading import Graded, grade_all
 from autograder.marker import Marker
 from autograder.regrading import Change, changes
 from autograder.reports.machine import change_fields, record_fields
+from autograder.reports.pictures import Pictures
 from autograder.reports.terminal import print_changes, print_table, progress_bar, warn
 from autograder.reports.write import Options, write_reports
 from autograder.sandbox.launcher import NO_SANDBOX, Isolation, isolation_text
@@ -33,12 +34,14 @@ def grade_and_report(
     regrade: bool,
 ) -> int:
     """Grade, show what changed, and (unless it is a dry run) keep it and write the reports."""
-    find_class_list(parsed, book)  # a broken one is said before anything runs
+    # What is broken is said before anything runs.
+    find_class_list(parsed, book)
+    Pictures(course)
     questions = frozenset(course.question(id).id for id in parsed.question or ()) or None
     before = {record.student: record for record in book.records()}
     isolation: Isolation = "none" if parsed.no_sandbox else "auto"
     jobs = min(parsed.jobs, len(submissions))
-    run = _choose_run(parsed, course, book, regrade, isolation, jobs)
+    run = _choose_run(parsed, course, book, regrade, isolation)
     marker = Marker(course, run.seed)
     known = None
     if questions is None and not parsed.dry_run:
@@ -89,8 +92,11 @@ def grade_and_report(
         return DONE
     if console.is_terminal:
         print_table(console, course, records)
-    if changed:
+    if changed and console.is_terminal:
         print_changes(console, before, changed)
+    elif changed:
+        students = {change.student for change in changed}
+        console.print(f"{len(changed)} marks of {len(students)} students are others than before.")
     console.print(f"{len(submissions)} graded; {written}.", soft_wrap=True, markup=False)
     return DONE
 
@@ -101,7 +107,6 @@ def _choose_run(
     book: Gradebook,
     regrade: bool,
     isolation: Isolation,
-    jobs: int,
 ) -> Run:
     """The last run goes on, unless the key, the seed or the wish to regrade asks for a new one.
 
@@ -118,7 +123,7 @@ def _choose_run(
     same_key = last is not None and (last.course_version, last.seed) == (course.version, seed)
     if last and same_key and not regrade and (last.isolation == NO_SANDBOX) == parsed.no_sandbox:
         return last
-    return book.begin_run(course.version, seed, isolation_text(course, isolation, jobs))
+    return book.begin_run(course.version, seed, isolation_text(course, isolation))
 
 
 def _tell_dry_run(

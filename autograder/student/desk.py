@@ -31,6 +31,7 @@ class Desk:
         self.course = course
         self._onlookers: WeakSet[Any] = WeakSet()
         self._lock = threading.Lock()
+        self._searched: set[str] = set()
 
     def responses(self, question: Question) -> Responses:
         """The file that holds the responses to the question's chapter."""
@@ -46,8 +47,16 @@ class Desk:
         )
 
     def mend(self) -> list[str]:
-        """Put right what is damaged or missing, and say what was done."""
-        said = [self.chapter_responses(chapter.name).mend() for chapter in self.course.chapters]
+        """Put right what is damaged or missing, and say what was done.
+
+        A missing file is normal for a chapter that was not begun, so it is looked into only once.
+        """
+        said = []
+        for chapter in self.course.chapters:
+            responses = self.chapter_responses(chapter.name)
+            if responses.path.exists() or chapter.name not in self._searched:
+                self._searched.add(chapter.name)
+                said.append(responses.mend())
         return [sentence for sentence in said if sentence]
 
     def entries(self) -> dict[str, dict[str, Entry]]:

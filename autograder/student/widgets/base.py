@@ -63,8 +63,9 @@ class CourseWidget(anywidget.AnyWidget):
                 self.receipt_display.update(receipt, raw=True)
 
     def close(self) -> None:
-        """Take the widget off the desk too."""
+        """Take the widget off the desk too, with all that belongs to it."""
         self.desk.unwatch(self)
+        self.layout.close()
         super().close()
 
     def _receive(self, widget: Any, message: dict[str, Any], buffers: Any) -> None:
