@@ -50,7 +50,7 @@ def interpreter_folders() -> list[Path]:
 
 
 def installed_solutions() -> list[Path]:
-    """Copies of a package ``solutions`` that lie among the libraries, if the course is installed."""
+    """Copies of a package ``solutions`` among the libraries, if the course is installed."""
     entries = {*site.getsitepackages(), *(entry for entry in sys.path if entry)}
     return sorted(
         Path(entry) / "solutions" for entry in entries if (Path(entry) / "solutions").is_dir()
