@@ -11,6 +11,7 @@ import pytest
 @pytest.fixture(scope="session", autouse=True)
 def _no_responses_of_the_developer(tmp_path_factory: pytest.TempPathFactory) -> None:
     os.environ["AUTOGRADER_RESPONSES"] = str(tmp_path_factory.mktemp("responses"))
+    os.environ["AUTOGRADER_WIDGETS"] = "0"  # plain outputs, even in a terminal of JupyterLab
 
 
 @pytest.hookimpl(tryfirst=True)

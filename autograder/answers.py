@@ -67,12 +67,16 @@ class Statement:
 
 @dataclass(frozen=True)
 class Answer:
-    """The key to one question; ``code`` fills the solved notebook."""
+    """The key to one question; ``code`` fills the solved notebook.
+
+    ``snapshot`` says whether a student bundle may check it on examples.
+    """
 
     id: str
     explanation: str
     code: str
     alternatives: tuple[Any, ...]
+    snapshot: bool = field(default=True, kw_only=True)
 
 
 @dataclass(frozen=True)
@@ -134,6 +138,7 @@ def answer_from_table(table: dict[str, Any], question: q.Question) -> Answer:
         "id": question.id,
         "explanation": read.text("explanation", ""),
         "code": read.text("code", ""),
+        "snapshot": read.take("snapshot", bool, True),
     }
     tables = read.tables("alternative", "alternative", [])
     answer = _READERS[question.kind](question, read, tables, common)

@@ -163,9 +163,15 @@ def load_course(root: Path | None = None) -> Course:
     """Read the questions and settings of the course at ``root`` (default: found from here).
 
     Raises:
-        CourseError: if a file cannot be read, or an id or a variable is used twice.
+        CourseError: if there is no course, a file cannot be read, or an id or a variable is used
+            twice.
     """
-    root = find_course_root() if root is None else find_course_root(root)
+    if root is None:
+        root = find_course_root()
+    elif not (root / QUESTIONS).is_dir():
+        # Not the course of a folder above: that would hide a mistyped name.
+        raise CourseError(f"There is no course in {root}: it has no folder {QUESTIONS}.")
+    root = root.resolve()
     chapters = []
     for path in sorted((root / QUESTIONS).glob("*.toml"), key=_chapter_position(root)):
         table = _read_toml(path, "write it, or remove the file")

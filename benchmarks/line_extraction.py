@@ -43,10 +43,10 @@ comparison. All use the default `Settings`.
 
 HoughLinesP gets a raster with one pixel an echo, 1 pixel and 1 degree of resolution. The rest was
 tuned on 300 simulated scenes for the largest true minus false positive rate, over pixels of 2 to
-8 cm, 6 to 14 votes, two minimum lengths and two gaps: {100 * hough.pixel:g} cm,
-{hough.threshold} votes, {hough.min_length:g} m, {hough.max_gap:g} m. The defaults of this project
-were chosen on scenes of the same kind. HoughLinesP runs twice: on a raster of the scanner's whole
-range, and on one that is cropped to the echoes of each scan, a trick that costs a few lines.
+8 cm, 6 to 14 votes, two minimum lengths and two gaps. The best was {100 * hough.pixel:g} cm,
+{hough.threshold} votes, {hough.min_length:g} m and {hough.max_gap:g} m. The defaults of this
+project were chosen on scenes of the same kind. HoughLinesP runs twice: on a raster of the
+scanner's whole range, and on one that is cropped to the echoes of each scan, which is faster.
 
 The hard simulation has curved walls, pillars, people's legs, bushes, mixed pixels, lost echoes and
 15 mm of noise; 1000 scenes that no setting was tuned on. True positives: visible straight walls

@@ -18,12 +18,13 @@ def fitted_line(case: dict[str, Any], expected: Any, actual: Any) -> dict[str, A
     if not (math.isfinite(r) and math.isfinite(alpha) and abs(r) < 1e3):
         return None
     offsets = np.abs(points @ [math.cos(alpha), math.sin(alpha)] - r)
+    near = np.median(offsets)
     return {
         "title": f"Your line for {case['name']}",
         "alt": (
             f"{len(points)} points, the best line and the line that your function returned, "
             f"r = {r:.3g} m and alpha = {alpha:.3g} rad. "
-            f"Your line passes the points at {offsets.max():.3g} m or less."
+            f"Half of the points are {near:.3g} m or less from your line."
         ),
         "x_label": "x in m",
         "y_label": "y in m",
@@ -33,6 +34,11 @@ def fitted_line(case: dict[str, Any], expected: Any, actual: Any) -> dict[str, A
             {"kind": "points", "xy": points, "label": "the points"},
         ],
     }
+
+
+def consensus(case: dict[str, Any], expected: Any, actual: Any) -> dict[str, Any] | None:
+    """Describe the line that RANSAC found, from the pairs (line, inliers)."""
+    return fitted_line(case, expected[0], actual[0])
 
 
 def _along(points: np.ndarray, r: float, alpha: float) -> np.ndarray:

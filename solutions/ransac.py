@@ -173,7 +173,7 @@ def _blocks(
 def _refit(
     kind: _Kind, points: np.ndarray, agrees: np.ndarray, threshold: float, tried: int
 ) -> Consensus | None:
-    """Fit to the points that agree, again and again as long as more of them do."""
+    """Fit to the points that agree, again and again as long as over 1 % more of them do."""
     while True:
         try:
             model = kind.fit(points[agrees])
@@ -181,7 +181,7 @@ def _refit(
             return None
         count = np.count_nonzero(agrees)
         agrees = np.abs(kind.distances(points, model)) <= threshold
-        if np.count_nonzero(agrees) <= count:
+        if np.count_nonzero(agrees) <= 1.01 * count:
             return Consensus(model, np.flatnonzero(agrees), tried)
 
 

@@ -96,17 +96,17 @@ credit = 0.5
 feedback = "You walked along two sides only."
 
 ["Q4"]
-reference = "solutions.orchard:heaviest"
-cases = "solutions.orchard:heaviest_cases"
+reference = "orchard_reference:heaviest"
+cases = "orchard_reference:heaviest_cases"
 explanation = "A maximum that the orchard's key explains."
 [["Q4".alternative]]
 name = "forgets the first apple"
-function = "solutions.orchard:forgets_the_first"
+function = "orchard_reference:forgets_the_first"
 credit = 0.5
 feedback = "The first apple is missing from your search."
 [["Q4".alternative]]
 name = "the lightest apple"
-function = "solutions.orchard:lightest"
+function = "orchard_reference:lightest"
 credit = 0.25
 feedback = "That is the lightest one."
 """
@@ -148,8 +148,22 @@ SECRETS = (
     "the orchard's key explains",
     "forgets the first apple",
     "You walked along two sides only",
-    "251.5",
 )
+
+MASTER = """# %% [markdown]
+# # The orchard
+
+# %%
+from autograder import ask, check, progress, submit
+
+# %% exercise="Q1"
+
+# %% exercise="Q2"
+
+# %% exercise="Q3"
+
+# %% exercise="Q4"
+"""
 
 RIGHT = {
     "Q1": 'ask("Q1").respond([False, True])',
@@ -165,10 +179,12 @@ def make_course(root: Path) -> Course:
     (root / "notebooks/questions").mkdir(parents=True)
     (root / "notebooks/questions/orchard.toml").write_text(QUESTIONS)
     (root / "notebooks/1_orchard.ipynb").write_text(notebook([START]))
+    (root / "notebooks/source").mkdir()
+    (root / "notebooks/source/1_orchard.py").write_text(MASTER)
     (root / "solutions/answers").mkdir(parents=True)
     (root / "solutions/answers/orchard.toml").write_text(ANSWERS)
-    (root / "solutions/__init__.py").write_text("")
-    (root / "solutions/orchard.py").write_text(SOLUTIONS)
+    # Not in a package `solutions`: one process knows one, and other tests load the real one.
+    (root / "orchard_reference.py").write_text(SOLUTIONS)
     (root / "pyproject.toml").write_text('[project]\nname = "orchard"\nversion = "0.1"\n')
     return load_course(root)
 

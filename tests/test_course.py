@@ -189,8 +189,15 @@ def test_a_course_without_questions_is_said(tiny_course):
 
 
 def test_a_folder_that_is_no_course_is_said(tmp_path):
-    with pytest.raises(CourseError, match=r"no course in .* or above it"):
+    with pytest.raises(CourseError, match=r"no course in .* it has no folder"):
         load_course(tmp_path)
+
+
+def test_looking_for_a_course_where_there_is_none_above_is_said(tmp_path, monkeypatch):
+    monkeypatch.delenv("AUTOGRADER_COURSE", raising=False)
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(CourseError, match=r"no course in .* or above it"):
+        load_course()
 
 
 def test_a_missing_file_of_answers_is_said(tiny_course):

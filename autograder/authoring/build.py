@@ -139,7 +139,11 @@ def _execute(notebook: Any, course: Course, stem: str) -> None:
     folder.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as responses:
         # Responses of the author's own must neither be read nor overwritten.
-        environment = {**os.environ, "AUTOGRADER_RESPONSES": responses}
+        environment = {
+            **os.environ,
+            "AUTOGRADER_RESPONSES": responses,
+            "AUTOGRADER_WIDGETS": "0",  # even if this runs inside of a notebook
+        }
         client = NotebookClient(
             notebook,
             timeout=600,

@@ -18,18 +18,25 @@ from autograder.cli import (
     build,
     check,
     doctor,
+    export,
     grade,
     note,
     override,
     regrade,
+    release,
     show,
+    similar,
 )
 from autograder.cli.status import BROKEN, DONE, WRONG_USAGE
 from autograder.errors import AutograderError, UsageError
 
 __all__ = ["BROKEN", "DONE", "WRONG_USAGE", "main"]
 
-_COMMANDS = (grade, regrade, show, override, note, check, build, doctor)
+_COMMANDS = (
+    *(grade, regrade, show, override, note),
+    *(export, similar, release),
+    *(check, build, doctor),
+)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

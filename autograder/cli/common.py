@@ -6,9 +6,13 @@ import argparse
 import json
 import os
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from autograder.course import Course, load_course
+
+if TYPE_CHECKING:
+    from autograder.classlist import ClassList
+    from autograder.gradebook import Gradebook
 
 Commands = Any  # argparse has no public name for what add_subparsers returns
 GRADEBOOK = "gradebook.db"
@@ -66,13 +70,37 @@ def add_grading(command: argparse.ArgumentParser) -> None:
         action=argparse.BooleanOptionalAction,
         help="whether the feedback for students explains the answers (default: as last time; no)",
     )
+    add_class_list(command)
+    add_json(command)
+
+
+def add_class_list(command: argparse.ArgumentParser) -> None:
+    """Who is in the class."""
     command.add_argument(
         "--class-list",
         type=Path,
         metavar="FILE",
-        help="class list and late policy (default: class.toml in the --out folder, if it is there)",
+        help="class list and late policy (default: the last one given, or class.toml in --out)",
     )
-    add_json(command)
+
+
+def find_class_list(parsed: argparse.Namespace, book: Gradebook) -> ClassList:
+    """The class list that is given, was given before, or lies beside the gradebook.
+
+    Without one, an empty list: nobody is late, and nobody has a number.
+    """
+    from autograder.classlist import ClassList, read_class_list
+
+    if parsed.class_list is not None:
+        found = read_class_list(parsed.class_list)
+        if not getattr(parsed, "dry_run", False):
+            book.set("class_list", str(parsed.class_list.resolve()))
+        return found
+    before = book.setting("class_list")
+    if before is not None:
+        return read_class_list(Path(before))
+    beside: Path = parsed.out / "class.toml"
+    return read_class_list(beside) if beside.exists() else ClassList()
 
 
 def print_json(value: Any) -> None:

@@ -9,7 +9,8 @@ from functools import partial
 
 from rich.console import Console
 
-from autograder.cli.common import print_json
+from autograder.classlist import handed_in_at
+from autograder.cli.common import find_class_list, print_json
 from autograder.cli.status import DONE
 from autograder.course import Course
 from autograder.gradebook import Gradebook, Record, Run
@@ -17,7 +18,8 @@ from autograder.grading import Graded, grade_all
 from autograder.marker import Marker
 from autograder.regrading import Change, changes
 from autograder.reports.machine import change_fields, record_fields
-from autograder.reports.terminal import print_changes, print_table, progress_bar
+from autograder.reports.pictures import Pictures
+from autograder.reports.terminal import print_changes, print_table, progress_bar, warn
 from autograder.reports.write import Options, write_reports
 from autograder.sandbox.launcher import NO_SANDBOX, Isolation, isolation_text
 from autograder.submissions import Submission
@@ -32,16 +34,21 @@ def grade_and_report(
     regrade: bool,
 ) -> int:
     """Grade, show what changed, and (unless it is a dry run) keep it and write the reports."""
+    # What is broken is said before anything runs.
+    find_class_list(parsed, book)
+    Pictures(course)
     questions = frozenset(course.question(id).id for id in parsed.question or ()) or None
     before = {record.student: record for record in book.records()}
     isolation: Isolation = "none" if parsed.no_sandbox else "auto"
     jobs = min(parsed.jobs, len(submissions))
-    run = _choose_run(parsed, course, book, regrade, isolation, jobs)
+    run = _choose_run(parsed, course, book, regrade, isolation)
     marker = Marker(course, run.seed)
     known = None
     if questions is None and not parsed.dry_run:
         known = partial(book.find, run=run, questions=course.questions.keys())
     graded: list[Graded] = []
+    if parsed.no_sandbox:
+        warn("Student code runs with your own rights (--no-sandbox); every report says so.")
     began = time.monotonic()
     with progress_bar() as progress:
         task = progress.add_task("", total=len(submissions))
@@ -61,7 +68,16 @@ def grade_and_report(
     if parsed.explanations is not None:
         book.set("explanations", "yes" if parsed.explanations else "no")
     students = {submission.student for submission in submissions}
-    options = Options(parsed.out, parsed.class_list, students)
+    class_list = find_class_list(parsed, book)
+    book.set_lateness(
+        {
+            submission.student: class_list.lateness(
+                submission.student, handed_in_at(submission.path)
+            )
+            for submission in submissions
+        }
+    )
+    options = Options(parsed.out, students)
     written = write_reports(course, book, options, console)
     records = [record for record in book.records() if record.student in students]
     if parsed.json:
@@ -76,8 +92,11 @@ def grade_and_report(
         return DONE
     if console.is_terminal:
         print_table(console, course, records)
-    if changed:
+    if changed and console.is_terminal:
         print_changes(console, before, changed)
+    elif changed:
+        students = {change.student for change in changed}
+        console.print(f"{len(changed)} marks of {len(students)} students are others than before.")
     console.print(f"{len(submissions)} graded; {written}.", soft_wrap=True, markup=False)
     return DONE
 
@@ -88,7 +107,6 @@ def _choose_run(
     book: Gradebook,
     regrade: bool,
     isolation: Isolation,
-    jobs: int,
 ) -> Run:
     """The last run goes on, unless the key, the seed or the wish to regrade asks for a new one.
 
@@ -105,7 +123,7 @@ def _choose_run(
     same_key = last is not None and (last.course_version, last.seed) == (course.version, seed)
     if last and same_key and not regrade and (last.isolation == NO_SANDBOX) == parsed.no_sandbox:
         return last
-    return book.begin_run(course.version, seed, isolation_text(course, isolation, jobs))
+    return book.begin_run(course.version, seed, isolation_text(course, isolation))
 
 
 def _tell_dry_run(

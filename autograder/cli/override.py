@@ -47,7 +47,7 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
                 f"Note: that is more than the {question.points:g} points of the question."
             )
         book.override(record.student, question.id, points, parsed.reason.strip())
-        write_reports(course, book, Options(parsed.out, None, {record.student}), console)
+        write_reports(course, book, Options(parsed.out, {record.student}), console)
         record = book.record(record.student)
     counts = record.points(question.id) or 0.0
     console.print(

@@ -81,7 +81,7 @@ class Gradebook:
         )
         return Run(*rows[0]) if rows else None
 
-    def begin_run(self, course_version: str, seed: int, isolation: str) -> Run:
+    def begin_run(self, course_version: str, seed: int, isolation: str = "") -> Run:
         """Note a new run."""
         started = _now()
         with self._transaction() as db:
@@ -209,7 +209,7 @@ class Gradebook:
             )
             for student, path, fingerprint, status, odd, seconds, run, seed, *late in self._rows(
                 "SELECT student, path, fingerprint, status, notes, submission.seconds, run, seed, "
-                "handed_in, late_days, late_percent "
+                "handed_in, late_days, late_percent, isolation "
                 "FROM submission JOIN run ON run.id = submission.run ORDER BY student"
             )
         ]

@@ -34,7 +34,7 @@ class Record:
     """One student's submission with marks, overrides, notes and lateness.
 
     ``handed_in`` is a time in UTC, ISO 8601, or None if it is not known; ``late_percent`` is taken
-    off the points earned.
+    off the points earned; ``isolation`` is what kept the student's code in.
     """
 
     graded: Graded
@@ -45,6 +45,7 @@ class Record:
     handed_in: str | None = None
     late_days: int = 0
     late_percent: float = 0.0
+    isolation: str = ""
 
     @property
     def student(self) -> str:

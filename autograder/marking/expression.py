@@ -87,13 +87,20 @@ def matches(
     """Whether the values are those of the alternative at the points where that is defined."""
     count = len(next(iter(points.values())))
     expected = np.broadcast_to(evaluate_formula(alternative.expression, points), (count,))
+    period = None
+    if alternative.modulo is not None:
+        period = float(evaluate_formula(alternative.modulo, {}))
+    return same_values(expected, values, period)
+
+
+def same_values(expected: NDArray[Any], values: NDArray[Any], period: float | None) -> bool:
+    """Whether values are the expected ones where those are defined, up to multiples of a period."""
     defined = np.isfinite(expected)
-    if defined.sum() < POINT_COUNT // 2:
+    if defined.sum() < len(expected) // 4:
         return False
     expected, values = expected[defined], values[defined]
-    if alternative.modulo is None:
+    if period is None:
         return _same(expected, values)
-    period = float(evaluate_formula(alternative.modulo, {}))
     difference = np.asarray(values, dtype=complex) - expected
     turns = np.round(difference.real / period)
     return bool(np.all(np.isfinite(turns))) and _same(expected, values - turns * period)

@@ -37,7 +37,8 @@ def mark_function(
     """Right on every case, or like a known mistake, or right on some kinds of input.
 
     A response that matches no mistake earns the fraction of the kinds of input (cases of one name)
-    on which it is right. ``outcomes`` come from the student's process and are not trusted.
+    on which it is right. Kinds of which every case is public do not count towards it: their results
+    can be copied. ``outcomes`` come from the student's process and are not trusted.
     """
     if not (isinstance(outcomes, list) and len(outcomes) == len(expected.cases)):
         outcomes = [{"unusable": "not plain"}] * len(expected.cases)
@@ -69,8 +70,14 @@ def mark_function(
                 **known,
             )
     right = sum(part.right is True for part in parts)
-    # Rounded down: only a response that is right everywhere earns everything.
-    credit = int(100 * right / len(parts)) / 100
+    hidden = [
+        part
+        for part, indices in zip(parts, kinds.values(), strict=True)
+        if not all(expected.cases[i].get("public") for i in indices)
+    ]
+    earned = sum(part.right is True for part in hidden)
+    # Rounded down, and never all: only a response that is right everywhere earns everything.
+    credit = min(0.99, int(100 * earned / len(hidden)) / 100) if hidden else 0.0
     failing = [f"{part.label}{part.feedback}" for part in parts if not part.right]
     feedback = (
         f"Right on {right} of {len(parts)} kinds of input. Not yet on: " + "; ".join(failing) + "."

@@ -32,10 +32,11 @@ def write_class_csv(folder: Path, course: Course, records: Sequence[Record]) -> 
             ]
         )
     write_csv(folder / "class_questions.csv", rows)
-    rows = [["question", "mistake", "count", "students"]]
+    rows = [["question", "mistake", "named", "count", "students"]]
     for mistake in common_mistakes(course, records):
         names = "; ".join(mistake.students)
-        rows.append([mistake.question, mistake.name, len(mistake.students), names])
+        named = "yes" if mistake.named else "no"
+        rows.append([mistake.question, mistake.name, named, len(mistake.students), names])
     write_csv(folder / "class_mistakes.csv", rows)
     needy = {entry.student: "; ".join(entry.reasons) for entry in who_needs_help(course, records)}
     rows = [["student", "total", "status", "seconds", "needs_help", "problems"]]

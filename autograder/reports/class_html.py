@@ -60,7 +60,7 @@ def class_html(course: Course, records: Sequence[Record], run: Run | None) -> st
     if run is not None and run.isolation:
         header.append(f'<p class="soft">Student code was kept in by: {text(run.isolation)}.</p>')
     sections = [
-        _section("Points", _points(totals, most)),
+        _section("Points", _points(course, records, totals, most)),
         _section("Questions that look broken", _broken(statistics, len(records))),
         _section("Questions", _questions(statistics)),
         _section("The most common mistakes", _mistakes(common_mistakes(course, records))),
@@ -78,9 +78,22 @@ def _section(title: str, body: str) -> str:
     return f"<section>\n<h2>{title}</h2>\n{body}\n</section>"
 
 
-def _points(totals: np.ndarray, most: float) -> str:
+def _points(course: Course, records: Sequence[Record], totals: np.ndarray, most: float) -> str:
     bins = 10 if len(totals) < 60 else 20
-    return f"<figure>{histogram(totals.tolist(), 0, most, bins, 'points', 'Points')}</figure>"
+    rows = []
+    for chapter in course.chapters:
+        possible = sum(question.points for question in chapter.questions)
+        earned = [
+            sum(record.points(question.id) or 0.0 for question in chapter.questions)
+            for record in records
+        ]
+        share = 100 * float(np.mean(earned)) / possible if possible else 0.0
+        rows.append(
+            [text(chapter.title), f"{np.mean(earned):.1f}", f"{possible:g}", f"{share:.0f} %"]
+        )
+    chapters = table("Each chapter", ["chapter", "mean", "of", "share"], rows, {1, 2, 3})
+    chart = histogram(totals.tolist(), 0, most, bins, "points", "Points")
+    return f'<div class="pair"><figure>{chart}</figure><div>{chapters}</div></div>'
 
 
 def _broken(statistics: Sequence[QuestionStatistics], count: int) -> str:
@@ -163,7 +176,11 @@ def _scatter(statistics: Sequence[QuestionStatistics]) -> str:
     chart.line([(left - 1, 0), (right, 0)], DARK, 1.5)
     taken: list[tuple[float, float]] = []
     dots = [(chart.x(x), chart.y(y)) for x, y, _ in placed]
+    spoken_of = _extremes(placed)
     for x, y, entry in sorted(placed, key=lambda place: (-place[1], place[0])):
+        if entry not in spoken_of:
+            chart.dot(x, y, RED if entry.troubles else BLUE)
+            continue
         px, py = chart.x(x), chart.y(y)
         label = _free_place(px + 8, py + 4, taken, dots)
         if abs(label[1] - py - 4) > 6:
@@ -173,6 +190,17 @@ def _scatter(statistics: Sequence[QuestionStatistics]) -> str:
         chart.label(*label, entry.question.id, "start")
     said = "; ".join(f"{e.question.id} {x:.0f} % and {y:.2f}" for x, y, e in placed)
     return chart.svg("Difficulty and discrimination of each question", said + ".")
+
+
+def _extremes(
+    placed: Sequence[tuple[float, float, QuestionStatistics]],
+) -> list[QuestionStatistics]:
+    """The questions to name in the picture: the troubled ones, and those at its edges."""
+    by_discrimination = sorted(placed, key=lambda place: place[1])
+    by_difficulty = sorted(placed, key=lambda place: place[0])
+    chosen = [*by_discrimination[:4], *by_discrimination[-2:], *by_difficulty[:3]]
+    chosen += by_difficulty[-2:] + [place for place in placed if place[2].troubles]
+    return [entry for _, _, entry in chosen]
 
 
 def _free_place(
@@ -191,16 +219,26 @@ def _free_place(
 
 
 def _mistakes(mistakes: Sequence[Mistake]) -> str:
+    named = [mistake for mistake in mistakes if mistake.named]
+    others = [mistake for mistake in mistakes if not mistake.named]
     if not mistakes:
         return "<p>Nobody made a mistake that has a name.</p>"
+    body = ""
+    if named:
+        body += _mistake_table("Known mistakes, by how many students made them", named)
+    if others:
+        body += _mistake_table("Where responses fail that are like no known mistake", others)
+    return body
+
+
+def _mistake_table(caption: str, mistakes: Sequence[Mistake]) -> str:
     rows = [
         [text(m.question), text(m.name), str(len(m.students)), _names(m.students)]
         for m in mistakes[:_MOST_MISTAKES]
     ]
     left = len(mistakes) - _MOST_MISTAKES
     more = f"<p>{left} more are in class_mistakes.csv.</p>" if left > 0 else ""
-    header = ["question", "mistake", "students", "for example"]
-    return table("Mistakes by how many students made them", header, rows, {2}) + more
+    return table(caption, ["question", "mistake", "students", "for example"], rows, {2}) + more
 
 
 def _names(students: Sequence[str]) -> str:
@@ -234,21 +272,25 @@ def _time_and_failures(records: Sequence[Record], run: Run | None) -> str:
         f"<figure>{histogram(seconds.tolist(), 0, high, 20, 'seconds', 'Time for each submission')}"
         "</figure>"
     )
+    failures: dict[tuple[str, str, str], list[str]] = {}
+    for record in records:
+        if record.graded.status == "unreadable":
+            reason = ("everything", "unreadable", " ".join(record.graded.notes))
+            failures.setdefault(reason, []).append(record.student)
+            continue
+        for mark in record.graded.marks:
+            if mark.status in STOPPED:
+                reason = (mark.question, mark.status, mark.feedback)
+                failures.setdefault(reason, []).append(record.student)
     rows = [
-        [text(record.student), text(mark.question), mark.status, text(mark.feedback)]
-        for record in records
-        if record.graded.status != "unreadable"
-        for mark in record.graded.marks
-        if mark.status in STOPPED
-    ]
-    rows += [
-        [text(record.student), "everything", "unreadable", text(" ".join(record.graded.notes))]
-        for record in records
-        if record.graded.status == "unreadable"
+        [text(question), status, text(said), str(len(students)), _names(students)]
+        for (question, status, said), students in sorted(
+            failures.items(), key=lambda item: (-len(item[1]), item[0])
+        )
     ]
     if rows:
-        header = ["student", "question", "status", "reason"]
-        lines.append(table(f"{len(rows)} failures", header, rows, set()))
+        header = ["question", "status", "reason", "students", "for example"]
+        lines.append(table(f"{sum(map(len, failures.values()))} failures", header, rows, {3}))
     else:
         lines.append("<p>No response failed to run.</p>")
     return "\n".join(lines)

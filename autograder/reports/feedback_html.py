@@ -32,14 +32,12 @@ WORDS = {
 class Feedback:
     """What all students' pages of one course share.
 
-    ``explanations`` says whether they may read why the right answer is right; ``isolation`` what
-    kept student code in when it was run.
+    ``explanations`` says whether they may read why the right answer is right.
     """
 
     course: Course
     pictures: Pictures
     explanations: bool = False
-    isolation: str = ""
 
 
 def feedback_html(shared: Feedback, record: Record) -> str:
@@ -68,6 +66,8 @@ def feedback_html(shared: Feedback, record: Record) -> str:
         for chapter in course.chapters
     ]
     footer = "<p>Questions about a mark? Name its question and say what you meant.</p>"
+    if record.isolation.startswith("none"):
+        footer += f"<p>Your code was run with this isolation: {text(record.isolation)}.</p>"
     return page(f"Feedback for {record.student}", "\n".join(header), "\n".join(chapters), footer)
 
 
@@ -160,7 +160,7 @@ def _parts(question: Question, mark: Mark) -> list[str]:
     if all(part.right for part in mark.parts):
         return []
     return [
-        '<p class="label">Kinds of input</p>',
+        f'<p class="label">{"Cards" if isinstance(question, Order) else "Kinds of input"}</p>',
         f"<ul>{''.join(_part(part) for part in mark.parts)}</ul>",
     ]
 

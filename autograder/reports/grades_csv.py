@@ -14,10 +14,13 @@ from autograder.reports.machine import most_points
 def write_grades_csv(path: Path, course: Course, records: Sequence[Record]) -> None:
     """Write student, points for each question, total, max and status, whole or not at all.
 
-    Then come what lateness cost, and which questions were marked by hand.
+    Then come what lateness cost, and which questions were marked by hand, and what
+    kept the student's code in.
     """
     header = ["student", *course.questions, "total", "max", "status"]
-    rows: list[list[object]] = [[*header, "late_days", "late_deduction", "marked_by_hand"]]
+    rows: list[list[object]] = [
+        [*header, "late_days", "late_deduction", "marked_by_hand", "isolation"]
+    ]
     for record in records:
         rows.append(
             [
@@ -29,6 +32,7 @@ def write_grades_csv(path: Path, course: Course, records: Sequence[Record]) -> N
                 record.late_days,
                 record.deduction,
                 " ".join(record.overrides),
+                record.isolation,
             ]
         )
     write_csv(path, rows)

@@ -15,7 +15,6 @@ import numpy as np
 
 from autograder.answers import FunctionAnswer
 from autograder.course import Course
-from autograder.errors import CourseError
 from autograder.marker import Marker
 from autograder.marking import Mark
 from autograder.probes import load_object
@@ -27,16 +26,25 @@ _LOOKS = {"points": DARK, "expected": GREEN, "line": RED, "other": BLUE}
 
 
 class Pictures:
-    """Draws the pictures of a course's answers; the same seed draws the same inputs again."""
+    """Draws the pictures of a course's answers; the same seed draws the same inputs again.
+
+    Raises:
+        CourseError: if an answer names a picture that cannot be loaded.
+    """
 
     def __init__(self, course: Course) -> None:
         self._course = course
+        self._describe = {
+            id: load_object(answer.picture, course.root)
+            for id, answer in course.key.items()
+            if isinstance(answer, FunctionAnswer) and answer.picture
+        }
         self._markers: dict[int, Marker] = {}
 
     def html(self, question: str, mark: Mark, seed: int) -> str:
         """The picture of a marked response, or nothing where there is none to show."""
-        answer = self._course.key.get(question)
-        if not isinstance(answer, FunctionAnswer) or not answer.picture or mark.shown is None:
+        describe = self._describe.get(question)
+        if describe is None or mark.shown is None:
             return ""
         marker = self._markers.setdefault(seed, Marker(self._course, seed))
         expected = marker.probe(question).expected
@@ -45,11 +53,7 @@ class Pictures:
         if not case.get("public") or "value" not in outcome:
             return ""
         try:
-            described = load_object(answer.picture, self._course.root)(
-                case, outcome["value"], mark.shown
-            )
-        except CourseError:
-            raise
+            described = describe(case, outcome["value"], mark.shown)
         except Exception:
             # What a student's function returned may be anything: then there is nothing to draw.
             return ""

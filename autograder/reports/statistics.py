@@ -11,7 +11,7 @@ import numpy as np
 from autograder.course import Course
 from autograder.gradebook.record import Record
 from autograder.marking import Mark
-from autograder.questions import Question, TrueFalse
+from autograder.questions import Order, Question, TrueFalse
 from autograder.reports.machine import most_points
 
 FEWEST = 10  # below that, a correlation is chance
@@ -39,10 +39,11 @@ class QuestionStatistics:
 
 @dataclass(frozen=True)
 class Mistake:
-    """A known mistake, and who made it."""
+    """A mistake, and who made it; if the key does not name it, it is told by where it fails."""
 
     question: str
     name: str
+    named: bool
     students: tuple[str, ...]
 
 
@@ -146,18 +147,21 @@ def _troubles(
 
 
 def common_mistakes(course: Course, records: Sequence[Record]) -> list[Mistake]:
-    """Every known mistake that somebody made, the most common first."""
-    made: dict[tuple[str, str], list[str]] = {}
+    """Every mistake that somebody made, those with a name first, and of them the most common."""
+    made: dict[tuple[str, str, bool], list[str]] = {}
     for record in records:
         for question in course.questions.values():
             mark = record.marks.get(question.id)
             if mark is None or mark.status not in ("wrong", "partial"):
                 continue
+            named = isinstance(question, TrueFalse) or mark.alternative is not None
             for name in _mistake_names(question, mark):
-                made.setdefault((question.id, name), []).append(record.student)
-    mistakes = [Mistake(id, name, tuple(students)) for (id, name), students in made.items()]
+                made.setdefault((question.id, name, named), []).append(record.student)
+    mistakes = [Mistake(*mistake, tuple(students)) for mistake, students in made.items()]
     order = {id: position for position, id in enumerate(course.questions)}
-    return sorted(mistakes, key=lambda m: (-len(m.students), order[m.question], m.name))
+    return sorted(
+        mistakes, key=lambda m: (not m.named, -len(m.students), order[m.question], m.name)
+    )
 
 
 def _mistake_names(question: Question, mark: Mark) -> list[str]:
@@ -170,6 +174,10 @@ def _mistake_names(question: Question, mark: Mark) -> list[str]:
         ]
     if mark.alternative is not None:
         return [mark.alternative]
+    if isinstance(question, Order):
+        return []  # every wrong order has its own cards out of place
+    if len(mark.parts) > 1 and not any(part.right for part in mark.parts):
+        return ["wrong on every kind of input"]
     return [f"wrong on: {part.label}" for part in mark.parts if part.right is False]
 
 

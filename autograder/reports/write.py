@@ -21,13 +21,9 @@ from autograder.reports.terminal import progress_bar
 
 @dataclass(frozen=True)
 class Options:
-    """Where reports go, the class list (None: the one in ``out``, if there is one), for whom.
-
-    ``students`` are those whose feedback may have changed; None stands for everybody.
-    """
+    """Where reports go, and whose feedback may have changed (None: everybody's)."""
 
     out: Path
-    class_list: Path | None = None
     students: Collection[str] | None = None
 
 

@@ -20,10 +20,11 @@ from typing import Any
 import numpy as np
 
 from autograder.sandbox.evaluate import describe, evaluate
+from autograder.sandbox.expression_values import is_plain
 
 MAX_SAVED = 2**20
 _DESCRIBE_SECONDS = 2.0
-_PLAIN = (bool, complex, float, int, str, type(None), type(...))
+_PLAIN = (bool, complex, float, int, str, type(None), type(...), np.float64, np.int64)
 _PIXEL = base64.b64decode(
     "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJg"
     "gg=="
@@ -91,9 +92,20 @@ class Notebook:
         return evaluate(self._shell.user_ns[name], probe)
 
     def holds_plain_value(self, name: str) -> bool:
-        """Whether reading the response runs no code of the student: it is a built-in number."""
-        kind = type(self._shell.user_ns.get(name))
-        return kind in _PLAIN or kind in (np.float64, np.int64)
+        """Whether evaluating the response runs no code of the student: it is a built-in number, or
+        an expression that sympy made.
+        """
+        value = self._shell.user_ns.get(name)
+        return type(value) in _PLAIN or ("sympy" in sys.modules and is_plain(value))
+
+    def evaluate_within(self, seconds: float, name: str, probe: dict[str, Any]) -> Any:
+        """As `evaluate`, interrupted after some seconds.
+
+        Raises:
+            CellTimeout: if it takes longer.
+        """
+        with _Interrupted(seconds):
+            return self.evaluate(name, probe)
 
     def forget(self) -> None:
         """Remove what cells have defined."""

@@ -24,7 +24,7 @@ from typing import Any, NoReturn
 
 from autograder.sandbox import wire
 from autograder.sandbox.channel import Channel
-from autograder.sandbox.notebook import Notebook
+from autograder.sandbox.notebook import CellTimeout, Notebook
 
 _ANSWERED = 77  # exit status of a fork that has sent its answer
 
@@ -76,8 +76,14 @@ def _run(channel: Channel, notebook: Notebook, message: dict[str, Any]) -> None:
 def _evaluate(channel: Channel, notebook: Notebook, message: dict[str, Any]) -> None:
     nonce = message["nonce"]
     if notebook.holds_plain_value(message["name"]):
-        # Reading a number runs none of the student's code: no fork is needed.
-        _answer(channel, nonce, notebook.evaluate(message["name"], message["probe"]))
+        # No code of the student runs, so that a fork, which costs more than all the rest, is not
+        # needed. Should even this hang or crash, the grader runs the notebook again.
+        try:
+            reply = notebook.evaluate_within(message["seconds"], message["name"], message["probe"])
+        except CellTimeout:
+            channel.send({"nonce": nonce, "ended_by": signal.SIGALRM})
+        else:
+            _answer(channel, nonce, reply)
         return
     child = os.fork()
     if child == 0:

@@ -91,7 +91,7 @@ def decode(text: bytes, raw: bytes) -> Any:
         for code, shape in table:
             dtype = _allowed_type(code)
             if len(shape) > _MAX_DIMENSIONS or not all(
-                isinstance(n, int) and 0 <= n <= MAX_ARRAYS for n in shape
+                type(n) is int and 0 <= n <= MAX_ARRAYS for n in shape
             ):
                 raise WireError("an array of an impossible shape")
             size = dtype.itemsize * math.prod(shape)

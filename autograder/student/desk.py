@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 from collections.abc import Callable
 from typing import Any
 from weakref import WeakSet
@@ -22,12 +23,15 @@ from autograder.student.typed import read_typed
 class Desk:
     """Keeps and marks the responses to a course's questions.
 
-    What is shown and must follow (widgets) is in ``onlookers`` and is told of every change.
+    What is on show and must follow (widgets) is told of every change. JupyterLab handles clicks on
+    a thread of its own, so that they count while a cell runs.
     """
 
     def __init__(self, course: Course) -> None:
         self.course = course
-        self.onlookers: WeakSet[Any] = WeakSet()
+        self._onlookers: WeakSet[Any] = WeakSet()
+        self._lock = threading.Lock()
+        self._searched: set[str] = set()
 
     def responses(self, question: Question) -> Responses:
         """The file that holds the responses to the question's chapter."""
@@ -43,8 +47,16 @@ class Desk:
         )
 
     def mend(self) -> list[str]:
-        """Put right what is damaged or missing, and say what was done."""
-        said = [self.chapter_responses(chapter.name).mend() for chapter in self.course.chapters]
+        """Put right what is damaged or missing, and say what was done.
+
+        A missing file is normal for a chapter that was not begun, so it is looked into only once.
+        """
+        said = []
+        for chapter in self.course.chapters:
+            responses = self.chapter_responses(chapter.name)
+            if responses.path.exists() or chapter.name not in self._searched:
+                self._searched.add(chapter.name)
+                said.append(responses.mend())
         return [sentence for sentence in said if sentence]
 
     def entries(self) -> dict[str, dict[str, Entry]]:
@@ -176,8 +188,22 @@ class Desk:
 
     def tell(self, id: str) -> None:
         """Let everything on show follow a change of one question."""
-        for onlooker in list(self.onlookers):
+        for onlooker in self._present():
             onlooker.follow(id)
+
+    def watch(self, onlooker: Any) -> None:
+        """Tell something on show of changes from now on, as long as it is there."""
+        with self._lock:
+            self._onlookers.add(onlooker)
+
+    def unwatch(self, onlooker: Any) -> None:
+        """Stop telling it."""
+        with self._lock:
+            self._onlookers.discard(onlooker)
+
+    def _present(self) -> list[Any]:
+        with self._lock:
+            return list(self._onlookers)
 
     def _note(
         self,

@@ -8,22 +8,63 @@ import sys
 import threading
 from typing import Any
 
-from autograder.course import Course
+from autograder.course import Course, load_course
 from autograder.errors import AutograderError, CourseError
 from autograder.marking.mark import Mark
 from autograder.sandbox import wire
+from autograder.snapshots import SNAPSHOTS, SnapshotMarker
 
 _client: MarkerClient | None = None
+_bundle: BundleMarker | None = None
 
 
-def marker_for(course: Course) -> MarkerClient | None:
-    """The marker of this kernel, started at the first call; None where there is no key."""
+def marker_for(course: Course) -> MarkerClient | BundleMarker | None:
+    """The marker of this kernel, started at the first call.
+
+    Where there is no key, a student bundle's snapshots mark what they can; None without those too.
+    """
     global _client
     if not course.has_key:
-        return None
+        return bundle_marker(course)
     if _client is None or _client.course is not course or not _client.alive:
         _client = MarkerClient(course)
     return _client
+
+
+def bundle_marker(course: Course) -> BundleMarker | None:
+    """What a student bundle marks with; None if it has no snapshots."""
+    global _bundle
+    if not (course.root / SNAPSHOTS).is_dir():
+        return None
+    if _bundle is None or _bundle.course is not course:
+        practice = course.root / "practice"
+        _bundle = BundleMarker(course, load_course(practice) if practice.is_dir() else None)
+    return _bundle
+
+
+class BundleMarker:
+    """Marks the chapters that are for practice with their key, the others with snapshots."""
+
+    def __init__(self, course: Course, practice: Course | None) -> None:
+        self.course = course
+        self._snapshots = SnapshotMarker(course)
+        self._practice = practice
+        self._client: MarkerClient | None = None
+
+    def probe(self, id: str) -> dict[str, Any]:
+        """What the kernel has to evaluate for a question."""
+        return self._for(id).probe(id)
+
+    def mark(self, id: str, response: Any, understood: str = "") -> Mark:
+        """The mark of what came out."""
+        return self._for(id).mark(id, response, understood)
+
+    def _for(self, id: str) -> MarkerClient | SnapshotMarker:
+        if self._practice is None or id not in self._practice.questions:
+            return self._snapshots
+        if self._client is None or not self._client.alive:
+            self._client = MarkerClient(self._practice)
+        return self._client
 
 
 class MarkerClient:

@@ -81,6 +81,7 @@ class Responses:
                 entries = self._read()
                 if entries is None:
                     self._set_aside()
+                if entries is None or not self.path.exists():
                     entries = self._rescue()
                 before = entries.get(id, {})
                 after = change(dict(before))

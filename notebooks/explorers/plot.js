@@ -60,8 +60,8 @@ function ticks(low, high, count = 5) {
 }
 
 // A plot with axes. `x` and `y` are {low, high, label, at?, ticks?, say?}; `at` maps a value to a
-// position from 0 to 1. Returns the picture, a layer to draw on, and the maps to pixels.
-function plot({ width, height, x, y, label }) {
+// position from 0 to 1. With `clipped`, nothing is drawn beyond the axes. Returns the picture, a layer to draw on, and the maps to pixels.
+function plot({ width, height, x, y, label, clipped = false }) {
   const margin = { left: 58, right: 14, top: 12, bottom: 44 };
   const picture = document.createElementNS("http://www.w3.org/2000/svg", "svg");
   picture.setAttribute("viewBox", `0 0 ${width} ${height}`);
@@ -86,6 +86,9 @@ function plot({ width, height, x, y, label }) {
   const middle = (margin.top + bottom) / 2;
   const turned = { x: 14, y: middle, "text-anchor": "middle", transform: `rotate(-90 14 ${middle})` };
   draw(picture, "text", turned, y.label);
-  const layer = draw(picture, "g", {});
+  const clip = `ex-clip-${Math.random().toString(36).slice(2)}`;
+  const inside = { x: left, y: margin.top, width: width - left - margin.right, height: bottom - margin.top };
+  draw(draw(picture, "clipPath", { id: clip }), "rect", inside);
+  const layer = draw(picture, "g", clipped ? { "clip-path": `url(#${clip})` } : {});
   return { picture, layer, toX, toY };
 }

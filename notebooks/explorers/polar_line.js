@@ -19,6 +19,7 @@ function render({ model, el }) {
     width: 460,
     height: 460,
     label: "",
+    clipped: true,
     x: { low: view.x - view.half, high: view.x + view.half, label: "x (m)" },
     y: { low: view.y - view.half, high: view.y + view.half, label: "y (m)" },
   });

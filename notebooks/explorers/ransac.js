@@ -86,7 +86,7 @@ function render({ el }) {
       y: {
         at: (value) => Math.log10(value) / top,
         ticks: [1, 10, 100, 1e3, 1e4, 1e5, 1e6],
-        say: (value) => value.toLocaleString("en"),
+        say: (value) => (value < 1000 ? value : `10${"³⁴⁵⁶"[Math.log10(value) - 3]}`),
         label: "iterations k (logarithmic)",
       },
     });

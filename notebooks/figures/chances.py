@@ -59,12 +59,10 @@ def waiting_times(
     written beside it, once it is a number.
     """
     longest = 5 * 5**size
-    first = np.full(runs, longest)
+    first = np.full(runs, np.inf)
     for start in range(0, runs, 1000):
         clean = _clean(1000, longest, N, round(N * w), size, rng)
-        first[start : start + 1000] = np.where(
-            clean.any(axis=1), clean.argmax(axis=1) + 1, longest + 1
-        )
+        first[start : start + 1000] = np.where(clean.any(axis=1), clean.argmax(axis=1) + 1, np.inf)
     fig = figure(8, 3.4)
     axes = fig.subplots()
     width = -(-longest // 60)

@@ -77,19 +77,17 @@ def cost_over_angle(clouds: dict[str, np.ndarray], angle: Any = None) -> None:
         if found is not None:
             wrapped = (found + np.pi / 2) % np.pi - np.pi / 2
             below.axvline(np.degrees(wrapped), color="black", linestyle=":", linewidth=2)
-            side = "left" if wrapped < 0.6 else "right"
-            offset = 6 if side == "left" else -6
-            below.annotate(
+            below.text(
+                np.degrees(wrapped),
+                1.02,
                 "your angle",
-                (np.degrees(wrapped), 0.5 * costs.max()),
-                xytext=(offset, 0),
-                textcoords="offset points",
-                ha=side,
+                transform=below.get_xaxis_transform(),
+                ha="center",
             )
         below.set_xlabel("α [degrees]")
         below.set_ylabel("S [m²]")
         below.set_xticks([-90, -45, 0, 45, 90])
-        below.set_ylim(bottom=0)
+        below.set_ylim(-0.05 * costs.max(), 1.1 * costs.max())
         quiet(below)
         said.append(
             f"{name}: valley at {np.degrees(turns[valley]):.0f}°, hill at "

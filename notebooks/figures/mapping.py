@@ -16,6 +16,7 @@ from notebooks.figures.style import (
     figure,
     not_written,
     note,
+    photograph,
     plan,
     show,
 )
@@ -104,3 +105,24 @@ def corridor_walls(
         count += len(walls)
     axes.set_title(f"{count} walls")
     show(fig, f"A map of a building, drawn with {count} wall segments.")
+
+
+def three_senses(photograph_taken: np.ndarray, points: np.ndarray, scans: Any) -> None:
+    """Draw what the course is about: a photograph, a laser scan (N, 2), the map of a building."""
+    fig = figure(8, 3.5)
+    left, middle, right = fig.subplots(1, 3)
+    photograph(left, photograph_taken, "1. Have I been here?", size=11)
+    plan(middle, "2. Where are the walls?")
+    middle.plot(*points.T, ".", color=BLUE, markersize=3)
+    middle.plot(0, 0, marker=(3, 0, -90), color=ORANGE, markersize=10, mec="black")
+    plan(right, "3. What is the map?")
+    angles = scans.poses[::10, 2:] + scans.angles
+    ranges = np.where(scans.ranges[::10] < 30, scans.ranges[::10], np.nan)
+    x = scans.poses[::10, :1] + ranges * np.cos(angles)
+    y = scans.poses[::10, 1:2] + ranges * np.sin(angles)
+    right.plot(x.ravel(), y.ravel(), ",", color="black", alpha=0.3)
+    show(
+        fig,
+        "Three pictures: a photograph of a campus, a laser scan of a corridor from above, and the "
+        "map of a whole building made from thousands of scans.",
+    )

@@ -102,7 +102,10 @@ def polar_lines(lines: list[tuple[float, float]]) -> None:
     """Draw several lines (r, alpha) side by side, three in a row."""
     rows = -(-len(lines) // 3)
     fig = figure(8, 2.9 * rows)
-    for axes, (r, alpha) in zip(fig.subplots(rows, 3, squeeze=False).flat, lines, strict=True):
+    panels = list(fig.subplots(rows, 3, squeeze=False).flat)
+    for axes in panels[len(lines) :]:
+        axes.set_visible(False)
+    for axes, (r, alpha) in zip(panels, lines, strict=False):
         plan(axes, f"r = {r:.1f} m, α = {np.degrees(alpha):.0f}°")
         axes.set_xlim(-3, 3)
         axes.set_ylim(-3, 3)

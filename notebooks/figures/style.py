@@ -32,10 +32,14 @@ def figure(width: float = 8.0, height: float = 4.0) -> Figure:
 
 
 def show(fig: Figure, alt: str) -> None:
-    """Show the figure in the notebook, with `alt` as its text for those who cannot see it."""
+    """Show the figure in the notebook, with `alt` as its text for those who cannot see it.
+
+    The text travels as the picture's metadata, which HTML exports make its alt attribute; as an
+    output of its own it would be compared when the notebooks are tested.
+    """
     buffer = io.BytesIO()
     fig.savefig(buffer, format="png", dpi=PIXELS_PER_INCH)
-    bundle = {"image/png": base64.b64encode(buffer.getvalue()).decode(), "text/plain": alt}
+    bundle = {"image/png": base64.b64encode(buffer.getvalue()).decode()}
     width = round(fig.get_size_inches()[0] * SHOWN_PER_INCH)
     display(bundle, raw=True, metadata={"image/png": {"alt": alt, "width": width}})
 

@@ -27,9 +27,22 @@ import cv2
 import numpy as np
 import sympy as sp
 
+import data
 from autograder import ask, check, progress, submit
+from notebooks import figures
 
-print("Everything is installed. You can begin.")
+photographs, scans = data.campus_photographs(), data.killian_court()
+print(
+    f"Everything is installed, {len(photographs)} photographs and {len(scans.ranges)} scans are here."
+)
+
+# %% [markdown]
+# And pictures? This is what the robot sees, and what you will make of it. (In the middle the robot is the orange triangle,
+# and each blue dot is a spot that its laser has hit.)
+
+# %% demo=true
+beams = np.stack([np.cos(scans.angles), np.sin(scans.angles)], axis=1)
+figures.three_senses(photographs["0503"], scans.ranges[161, :, np.newaxis] * beams, scans)
 
 # %% [markdown]
 # ## How to answer

@@ -75,7 +75,9 @@ figures.keypoints(walk["0503"], keypoints)
 # %% demo=true
 photographs = {**walk, **queries}
 pairs = ["0506 0507", "0508 0510", "0500 0501", "0495 0496", "0499 0500"]
-figures.compare_features({pair: tuple(photographs[name] for name in pair.split()) for pair in pairs})
+figures.compare_features(
+    {pair: tuple(photographs[name] for name in pair.split()) for pair in pairs}
+)
 
 # %% [markdown]
 # ## From descriptors to words
@@ -164,11 +166,19 @@ print(f"{len(walk)} photographs of the walk have about {len(collection) // 1000}
 # %% exercise="Q1.3"
 
 # %% [markdown]
+# The example that was worked by hand, with your function:
+
+# %% demo=true
+three, two = np.array([[1.0, 0], [3, 1], [5, 5]]), np.array([[0.0, 0], [4, 0]])
+figures.nearest_words(three, two, assign_words)
+
+# %% [markdown]
 # ### The tree
 #
 # This is how the tree is trained: k-means on all descriptors, then k-means once more in each group, and so on. `levels` has
 # the centres of each level, `levels[0]` those of the first $k$ groups. The children of row $i$ of one level are the
 # rows $k i$ to $k i + k - 1$ of the next. Besides, the function keeps the `node` of each descriptor.
+
 
 # %% demo=true
 def k_means(points, k):
@@ -207,9 +217,14 @@ figures.word_patches(
 
 # %% exercise="Q1.4"
 
+# %% demo=true
+small_tree = [np.array([[0.0, 0], [10, 0]]), np.array([[-1.0, 0], [1, 0], [8, 0], [12, 0]])]
+figures.way_down(np.array([9.0, 1.0]), small_tree, descend_tree)
+
 # %% [markdown]
 # With your function every photograph becomes a list of words. (`@cache` keeps the result, so that each photograph is
 # looked at only once.) To find a word takes 8 comparisons at each of 3 levels, not 512.
+
 
 # %% demo=true
 @cache
@@ -220,17 +235,25 @@ def words_of(name):
 
 # %% [markdown]
 # ### The inverted file
+#
+# The list of words of each image is turned round: for each word, the images that have it.
 
 # %% exercise="Q1.5"
 
+# %% demo=true
+figures.occurrences([np.array([0, 1, 1]), np.array([2, 0])], 4, build_inverted_file)
+
 # %% [markdown]
 # ### The votes
+#
+# The words of the test image are known now. Each of them is looked up, and votes.
 
 # %% exercise="Q1.6"
 
 # %% [markdown]
 # Now ask it. For each of the five photographs the votes of all places are drawn, and the three best are shown beside
 # them. (The bars do not start at zero, or you would see no difference.)
+
 
 # %% demo=true
 def votes_for(name, places=tuple(walk)):
@@ -269,6 +292,7 @@ figures.search_results(queries, walk, votes_for, same, "votes")
 
 # %% exercise="Q1.8"
 
+
 # %% demo=true
 def likeness_to(name, places=tuple(walk)):
     """Return how alike a photograph and each place are: 0 nothing in common, 2 equal."""
@@ -294,6 +318,7 @@ figures.search_results(queries, walk, likeness_to, same, "likeness")
 #
 # First, the matches: pairs of spots that are each other's nearest, and clearly nearer than the second nearest.
 
+
 # %% demo=true
 @cache
 def match(one, other):
@@ -312,6 +337,7 @@ def match(one, other):
 # of the matches are wrong, so OpenCV looks for the matrix that most of them agree with. It does so by guessing, with an
 # algorithm that has a whole chapter of its own: RANSAC, chapter 3.
 
+
 # %% demo=true
 @cache
 def agreeing(one, other):
@@ -327,7 +353,11 @@ def agreeing(one, other):
 
 # %% demo=true
 figures.matches(
-    photographs["0508"], walk["0510"], *match("0508", "0510"), agreeing("0508", "0510"), "0508, 0510"
+    photographs["0508"],
+    walk["0510"],
+    *match("0508", "0510"),
+    agreeing("0508", "0510"),
+    "0508, 0510",
 )
 
 # %% [markdown]
@@ -335,7 +365,11 @@ figures.matches(
 
 # %% demo=true
 figures.matches(
-    photographs["0513"], walk["0506"], *match("0513", "0506"), agreeing("0513", "0506"), "0513, 0506"
+    photographs["0513"],
+    walk["0506"],
+    *match("0513", "0506"),
+    agreeing("0513", "0506"),
+    "0513, 0506",
 )
 
 # %% [markdown]
@@ -352,6 +386,7 @@ figures.agreement(counts, walk, same, threshold=15)
 # closes one loop less, and keeps its map.
 #
 # Your search with the verification of its five best candidates: a place that is verified goes to the front.
+
 
 # %% demo=true
 def verified_likeness_to(name, places=tuple(walk)):

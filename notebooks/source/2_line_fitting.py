@@ -49,7 +49,7 @@ m_exchanged, b_exchanged = np.polyfit(y, x, 1)
 print(f"errors along y: m = {m:.1f}; errors along x: m = {1 / m_exchanged:.1f}")
 
 # %% [markdown]
-# One wall, and two slopes that have little in common. For an upright wall a tiny error in $x$ is a huge one in $y$, and if the
+# One wall, and two different slopes. For an upright wall a tiny error in $x$ is a huge one in $y$, and if the
 # wall stands exactly upright, no $m$ is right. Below, an artificial wall of four metres is turned step by step, and
 # $y = mx + b$ is fitted each time. Watch the slope on the way:
 

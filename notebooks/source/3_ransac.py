@@ -212,7 +212,13 @@ figures.noisy_inliers(N, w, iterations, np.random.default_rng(0))
 # %% exercise="Q3.4"
 
 # %% [markdown]
-# Your function on the scan, the same points as in the first picture of this chapter. Then change the threshold to 0.5 m and
+# Your function on the 26 points from above:
+
+# %% demo=true
+figures.found_line(few, ransac_line, threshold=0.3, iterations=50)
+
+# %% [markdown]
+# And on the scan, the same points as in the first picture of this chapter. Then change the threshold to 0.5 m and
 # to 0.005 m. What goes wrong in each case?
 
 # %% demo=true

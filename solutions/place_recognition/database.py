@@ -81,13 +81,18 @@ class ImageDatabase:
         """
         stored = read_arrays(path, "an image database", "names", "word_count")
         database = cls(tree)
-        database._index = InvertedIndex.from_arrays(stored)
+        try:
+            database._index = InvertedIndex.from_arrays(stored)
+            database.names = [str(name) for name in json.loads(bytes(stored["names"]))]
+        except (KeyError, ValueError, TypeError, IndexError) as error:
+            raise ValueError(f"{path} is damaged: save the database again.") from error
+        if len(database.names) != database._index.image_count:
+            raise ValueError(f"{path} is damaged, it lacks names: save the database again.")
         if database._index.word_count != tree.word_count:
             raise ValueError(
                 f"{path} was made with {database._index.word_count} words, the tree has "
                 f"{tree.word_count}: load the tree that was saved with it."
             )
-        database.names = json.loads(bytes(stored["names"]))
         database._known = set(database.names)
         return database
 

@@ -9,6 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 MOST_IMAGES = 2**16  # in one part, so that two bytes hold an image's number
+WORDS_AT_ONCE = 4096  # keeps temporary arrays small
 
 
 class Postings(NamedTuple):
@@ -36,45 +37,72 @@ class Postings(NamedTuple):
         at = np.searchsorted(self.words, words)
         found = at < len(self.words)
         found[found] = self.words[at[found]] == words[found]
-        starts, ends = np.zeros((2, len(words)), dtype=np.intp)
-        starts[found], ends[found] = self.starts[at[found]], self.starts[at[found] + 1]
-        lists = [slice(*ends_of_list) for ends_of_list in zip(starts, ends, strict=True)]
-        images = [self.images[part] for part in lists] or [self.images[:0]]
-        counts = [self.counts[part] for part in lists] or [self.counts[:0]]
-        return np.concatenate(images), np.concatenate(counts), ends - starts
+        starts, lengths = np.zeros((2, len(words)), dtype=np.intp)
+        starts[found] = self.starts[at[found]]
+        lengths[found] = self.starts[at[found] + 1] - starts[found]
+        # Where each list begins here, less where it begins in the result.
+        places = np.repeat(starts - (np.cumsum(lengths) - lengths), lengths)
+        places += np.arange(len(places))
+        return self.images.take(places), self.counts.take(places), lengths
+
+    def weighted_sizes(self, weights: np.ndarray) -> np.ndarray:
+        """Return what each image's histogram, times the weights, adds up to: (M,) float32."""
+        sizes = np.zeros(self.image_count)
+        lengths = self.lengths
+        for start in range(0, len(self.words), WORDS_AT_ONCE):
+            here = slice(start, start + WORDS_AT_ONCE)
+            weighted = np.repeat(weights[self.words[here]], lengths[here])
+            lists = slice(self.starts[start], self.starts[start] + len(weighted))
+            weighted *= self.counts[lists]
+            sizes += np.bincount(self.images[lists], weighted, self.image_count)
+        return sizes.astype(np.float32)
 
 
 def postings_of(words_by_image: Sequence[np.ndarray]) -> Postings:
     """Return the inverted file of images, given the words of the features of each."""
-    lengths = [len(words) for words in words_by_image]
-    image = np.repeat(np.arange(len(lengths)), lengths)
-    word = np.concatenate([np.asarray(words, dtype=np.int64) for words in words_by_image])
+    sizes = [len(words) for words in words_by_image]
     # One number for word and image, which sorts by word first.
-    occurrences = np.sort(word * MOST_IMAGES + image)
-    first = np.flatnonzero(np.diff(occurrences, prepend=-1))
-    pairs = occurrences[first]
+    occurrences = np.concatenate(words_by_image, dtype=np.int64, casting="unsafe")
+    occurrences *= MOST_IMAGES
+    occurrences += np.repeat(np.arange(len(sizes)), sizes)
+    occurrences.sort()
+    first = _run_starts(occurrences)
     counts = np.diff(first, append=len(occurrences))
-    return _with_lists(len(lengths), pairs // MOST_IMAGES, pairs % MOST_IMAGES, counts)
+    pairs = occurrences[first]
+    word = pairs // MOST_IMAGES
+    first = _run_starts(word)
+    return Postings(
+        len(sizes),
+        word[first].astype(np.int32),
+        np.append(first, len(word)),
+        (pairs % MOST_IMAGES).astype(np.uint16),
+        counts.astype(np.min_scalar_type(counts.max(initial=0))),
+    )
 
 
 def merged(one: Postings, other: Postings) -> Postings:
     """Return the inverted file of both; the images of `other` come after those of `one`."""
-    word = np.concatenate([np.repeat(part.words, part.lengths) for part in (one, other)])
-    order = np.argsort(word, kind="stable")
-    images = np.concatenate([one.images, other.images + np.uint16(one.image_count)])
-    counts = np.concatenate([one.counts, other.counts])
+    words = np.sort(np.concatenate([one.words, other.words]))
+    words = words[_run_starts(words)]
+    # A row for each word: how long its list is in one and in the other.
+    lengths = np.zeros((len(words), 2), dtype=np.intp)
+    lengths[np.searchsorted(words, one.words), 0] = one.lengths
+    lengths[np.searchsorted(words, other.words), 1] = other.lengths
+    # In the merged list of a word come first those of one, then those of the other.
+    from_other = np.repeat(np.tile([False, True], len(words)), lengths.ravel())
+    images = np.empty(len(from_other), np.uint16)
+    np.place(images, ~from_other, one.images)
+    np.place(images, from_other, other.images + np.uint16(one.image_count))
+    counts = np.empty(len(from_other), np.result_type(one.counts, other.counts))
+    np.place(counts, ~from_other, one.counts)
+    np.place(counts, from_other, other.counts)
     image_count = one.image_count + other.image_count
-    return _with_lists(image_count, word[order], images[order], counts[order])
+    starts = np.append(0, np.cumsum(lengths.sum(axis=1)))
+    return Postings(image_count, words, starts, images, counts)
 
 
-def _with_lists(
-    image_count: int, word: np.ndarray, images: np.ndarray, counts: np.ndarray
-) -> Postings:
-    first = np.flatnonzero(np.diff(word, prepend=-1))
-    return Postings(
-        image_count,
-        word[first].astype(np.int32),
-        np.append(first, len(word)),
-        images.astype(np.uint16),
-        counts.astype(np.min_scalar_type(counts.max(initial=0))),
-    )
+def _run_starts(ordered: np.ndarray) -> np.ndarray:
+    """Return where in a sorted array a new value begins."""
+    new = np.ones(len(ordered), dtype=bool)
+    np.not_equal(ordered[1:], ordered[:-1], out=new[1:])
+    return np.flatnonzero(new)

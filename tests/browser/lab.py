@@ -13,15 +13,16 @@ import time
 from pathlib import Path
 from typing import Any
 
-from playwright.sync_api import Locator, Page
+from playwright.sync_api import Locator, Page, expect
 
 ROOT = Path(__file__).parents[2]
 COURSE = ("notebooks", "solutions", "data", "pyproject.toml")
-SECONDS = 30.0
+SECONDS = 60.0
+SECONDS_TO_RUN = 240.0  # a whole chapter, on a machine that is busy with other tests
 
 
 class Server:
-    """JupyterLab and Notebook 7 on 127.0.0.1, with settings and kernels in a folder of their own."""
+    """JupyterLab and Notebook 7 on 127.0.0.1, with settings and kernels of their own."""
 
     def __init__(self, folder: Path) -> None:
         self.course = folder / "course"
@@ -94,11 +95,12 @@ class Server:
 class Notebook:
     """A notebook in a page of JupyterLab."""
 
-    def __init__(self, page: Page, server: Server, path: str, app: str = "lab/tree") -> None:
+    def __init__(self, page: Page, server: Server, path: str, app: str = "") -> None:
         self.page = page
         self.server = server
         self.path = path
-        self.app = app
+        # A workspace of its own, or JupyterLab would open what was open before.
+        self.app = app or f"lab/workspaces/{secrets.token_hex(4)}/tree"
 
     def open(self) -> Notebook:
         """Open it and wait for its kernel."""
@@ -109,8 +111,8 @@ class Notebook:
     def wait_for_kernel(self) -> None:
         """Wait until the kernel is connected and idle."""
         self._wait(
-            "panel.sessionContext.isReady && panel.sessionContext.session?.kernel"
-            "?.connectionStatus === 'connected' && kernel.status === 'idle'"
+            f"panel.context.path === 'notebooks/{self.path}' && panel.sessionContext.isReady"
+            " && kernel.connectionStatus === 'connected' && kernel.status === 'idle'"
         )
 
     def command(self, name: str) -> None:
@@ -123,8 +125,13 @@ class Notebook:
         self.command("notebook:run-all-cells")
         self._wait(
             "cells.every(cell => cell.type !== 'code' || !cell.sharedModel.source.trim()"
-            " || cell.executionCount !== null) && kernel.status === 'idle'"
+            " || cell.executionCount !== null) && kernel.status === 'idle'",
+            seconds=SECONDS_TO_RUN,
         )
+
+    def wait_for_widgets(self) -> None:
+        """Wait until every widget has heard from the kernel: their controls are off before."""
+        expect(self.page.locator(".autograder .ag-controls:disabled")).to_have_count(0)
 
     def run_cell(self, index: int) -> None:
         """Run one cell and wait until it is done."""
@@ -152,6 +159,14 @@ class Notebook:
             source,
         )
 
+    def append(self, source: str) -> None:
+        """Add a cell at the end."""
+        self.page.evaluate(
+            f"source => {{ {_CURRENT}.content.model.sharedModel.addCell"
+            "({cell_type: 'code', source}) }",
+            source,
+        )
+
     def sources(self) -> list[str]:
         """The sources of all cells."""
         return list(self.evaluate("cells.map(cell => cell.sharedModel.source)"))
@@ -159,17 +174,21 @@ class Notebook:
     def save(self) -> None:
         """Save it and wait until nothing is unsaved."""
         self.command("docmanager:save")
+        self.wait_until_saved()
+
+    def wait_until_saved(self) -> None:
+        """Wait until nothing is unsaved."""
         self._wait("!panel.context.model.dirty", with_kernel=False)
 
     def evaluate(self, expression: str) -> Any:
         """The value of JavaScript that may use `panel`, `kernel` and `cells`."""
         return self.page.evaluate(f"() => {{ {_NAMES} return {expression}; }}")
 
-    def _wait(self, condition: str, with_kernel: bool = True) -> None:
+    def _wait(self, condition: str, with_kernel: bool = True, seconds: float = SECONDS) -> None:
         needed = "panel && kernel" if with_kernel else "panel"
         self.page.wait_for_function(
             f"() => {{ {_NAMES} return Boolean({needed} && ({condition})); }}",
-            timeout=SECONDS * 1000,
+            timeout=seconds * 1000,
         )
 
     def question(self, id: str) -> Locator:
@@ -185,7 +204,7 @@ class Notebook:
         return found
 
 
-_CURRENT = "window.jupyterapp.shell.currentWidget"
+_CURRENT = "window.jupyterapp?.shell?.currentWidget"
 _NAMES = (
     f"const panel = {_CURRENT}; const kernel = panel?.sessionContext?.session?.kernel;"
     " const cells = panel?.content?.model?.cells ? Array.from(panel.content.model.cells) : [];"

@@ -69,11 +69,18 @@ def test_what_is_right_on_some_kinds_earns_their_share(marker):
     verdict = mark(
         marker, lambda weights: sum(weights) / max(len(weights), 1) if len(weights) < 3 else -1
     )
-    assert (verdict.status, verdict.credit) == ("partial", 0.5)
+    # "two equal weights" is public and counts for nothing: one of the three others is right.
+    assert (verdict.status, verdict.credit) == ("partial", 0.33)
     assert verdict.feedback == (
         "Right on 2 of 4 kinds of input. Not yet on: many weights; one heavy weight."
     )
     assert verdict.alternative is None
+
+
+def test_the_public_result_by_heart_earns_nothing(marker):
+    verdict = mark(marker, lambda weights: 3.0 if list(weights) == [3.0, 3.0] else -1.0)
+    assert [part.right for part in verdict.parts] == [False, True, False, False]
+    assert (verdict.status, verdict.credit) == ("wrong", 0)
 
 
 def test_what_is_wrong_everywhere_earns_nothing(marker):
@@ -93,7 +100,7 @@ def test_an_exception_on_some_kinds_costs_these_and_names_only_pythons_own_class
         return sum(weights) / len(weights)
 
     verdict = mark(marker, fails)
-    assert (verdict.status, verdict.credit) == ("partial", 0.5)
+    assert (verdict.status, verdict.credit) == ("partial", 0.33)
     assert "no weights (it raises ZeroDivisionError)" in verdict.feedback
     assert "many weights (it raises Exception)" in verdict.feedback
     assert "hidden" not in verdict.feedback

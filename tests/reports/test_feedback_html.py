@@ -140,6 +140,18 @@ def test_the_fitted_line_is_drawn_for_the_public_points_and_no_others():
     assert "r = 2.5 m and alpha = 0.9 rad" in drawn
 
 
+def test_every_picture_of_the_key_draws_the_reference():
+    course = load_course(REPOSITORY)
+    marker = Marker(course, 3)
+    named = [id for id, answer in course.key.items() if getattr(answer, "picture", None)]
+    assert {"Q2.3", "Q3.4"} <= set(named)
+    for id in named:
+        outcomes = marker.probe(id).expected.outcomes
+        marked = marker.mark(id, {"state": "given", "outcomes": list(outcomes)})
+        drawn = Pictures(course).html(id, Mark.from_dict(marked.to_dict()), 3)
+        assert "your line" in drawn
+
+
 @pytest.mark.parametrize("value", [None, "text", [1.0], [float("nan"), 1], [1e300, 0], {"a": 1}])
 def test_what_is_no_line_is_not_drawn(value: object):
     course = load_course(REPOSITORY)

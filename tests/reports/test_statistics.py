@@ -100,12 +100,20 @@ def test_mistakes_are_counted_by_name_and_the_most_common_is_first(course: Cours
             1,
         ),
     ]
-    found = [(m.question, m.name, len(m.students)) for m in common_mistakes(course, records)]
-    assert found == [
-        ("Q2", "added", 2),
-        ("Q1", "statement 1 called true", 1),
-        ("Q4", "wrong on: a basket", 1),
+    found = [
+        (m.question, m.name, m.named, len(m.students)) for m in common_mistakes(course, records)
     ]
+    assert found == [
+        ("Q2", "added", True, 2),
+        ("Q1", "statement 1 called true", True, 1),
+        ("Q4", "wrong on: a basket", False, 1),
+    ]
+
+
+def test_a_function_that_is_wrong_everywhere_is_one_mistake_not_many(course: Course):
+    parts = (Part("a basket", False, ""), Part("three", False, ""))
+    (mistake,) = common_mistakes(course, [Record(graded("a", mark("Q4", 0, parts=parts)), 1, 1)])
+    assert mistake.name == "wrong on every kind of input"
 
 
 def test_who_needs_help_are_the_lowest_and_those_whose_work_does_not_run(course: Course):

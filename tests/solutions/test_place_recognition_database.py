@@ -16,6 +16,7 @@ from solutions.place_recognition import (
 )
 from solutions.place_recognition import index as index_module
 from solutions.place_recognition.postings import postings_of
+from solutions.place_recognition.storage import write_arrays
 
 images = st.lists(st.lists(st.integers(0, 8), max_size=12), max_size=12)
 
@@ -59,7 +60,9 @@ def test_votes_and_scores_are_those_of_the_plain_functions_in_whatever_portions(
     assert index.votes(query_words).tolist() == expected.tolist()
     if words_by_image:
         counts = histograms(words_by_image, 9)
-        weights = idf_weights(counts)
+        # The one difference: a word that no image has weighs as if one had it.
+        unseen = counts.sum(axis=0) == 0
+        weights = np.where(unseen, np.log(len(counts)), idf_weights(counts))
         np.testing.assert_allclose(index.weights(), weights, atol=1e-12)
         expected = l1_scores(histograms([query], 9)[0], counts, weights)
         np.testing.assert_allclose(index.scores(query_words), expected, atol=1e-5)
@@ -70,9 +73,10 @@ def test_a_score_by_hand():
     index = InvertedIndex(4)
     index.extend([np.array([0, 1]), np.array([0, 1, 2]), np.array([0])])
     share = np.log(3) / (np.log(1.5) + np.log(3))  # of word 2 in image 1, 0.73
-    # The query has word 1 only, for nobody has word 3: q = (0, 1, 0).
+    # Nobody has word 3, which weighs ln 3 as well: q = (0, 1 - share, 0, share). Images 0 and 1
+    # share word 1 with it: |1 - share - 1| + share, and share + share.
     scores = index.scores(np.array([1, 0, 3]))
-    np.testing.assert_allclose(scores, [0.0, 2 * share, 2.0], atol=1e-6)
+    np.testing.assert_allclose(scores, [2 * share, 2 * share, 2.0], atol=1e-6)
 
 
 def test_parts_are_few_and_images_keep_their_numbers(monkeypatch):
@@ -203,6 +207,24 @@ def test_a_database_needs_its_own_tree(tmp_path, tree, places):
     tree.save(tmp_path / "tree")
     with pytest.raises(ValueError, match="does not hold an image database"):
         ImageDatabase.load(tmp_path / "tree", tree)
+
+
+@pytest.mark.parametrize(
+    "damage", [{"starts_0": None}, {"names": b"[]"}, {"names": b"{"}, {"words_0": b"x"}]
+)
+def test_a_database_with_a_part_missing_or_wrong_is_named(tmp_path, tree, places, damage):
+    database = ImageDatabase(tree)
+    database.add("place", places["place 0"])
+    database.save(tmp_path / "places.db")
+    arrays = dict(np.load(tmp_path / "places.db", allow_pickle=False))
+    for name, content in damage.items():
+        if content is None:
+            del arrays[name]
+        else:
+            arrays[name] = np.frombuffer(content, np.uint8)
+    write_arrays(tmp_path / "places.db", **arrays)
+    with pytest.raises(ValueError, match=r"places\.db is damaged"):
+        ImageDatabase.load(tmp_path / "places.db", tree)
 
 
 def test_wrong_use_is_said_in_one_sentence(places, tree):

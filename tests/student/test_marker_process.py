@@ -84,6 +84,18 @@ def test_a_broken_key_is_one_sentence(own_garden: Path, capsys: pytest.CaptureFi
     assert "cannot be loaded" in said
 
 
+def test_importing_the_course_takes_less_than_half_a_second_beyond_numpy(own_garden: Path):
+    # The processor's time: the clock on the wall also measures what else the machine does.
+    code = """
+        import time
+        import numpy
+        start = time.process_time()
+        from autograder import ask, check, progress, submit
+        print(time.process_time() - start)
+        """
+    assert min(float(run(own_garden, code)) for _ in range(3)) < 0.5
+
+
 def test_importing_the_course_loads_nothing_slow(own_garden: Path):
     printed = run(
         own_garden,

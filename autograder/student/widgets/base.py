@@ -40,7 +40,7 @@ class CourseWidget(anywidget.AnyWidget):
         self.receipt_display: Any = None
         super().__init__(fixed=self.what_is_fixed(), state=self.what_is_kept())
         self.on_msg(self._receive)
-        desk.onlookers.add(self)
+        desk.watch(self)
 
     def what_is_fixed(self) -> dict[str, Any]:
         """What the browser needs once."""
@@ -63,8 +63,9 @@ class CourseWidget(anywidget.AnyWidget):
                 self.receipt_display.update(receipt, raw=True)
 
     def close(self) -> None:
-        """Take the widget off the desk too."""
-        self.desk.onlookers.discard(self)
+        """Take the widget off the desk too, with all that belongs to it."""
+        self.desk.unwatch(self)
+        self.layout.close()
         super().close()
 
     def _receive(self, widget: Any, message: dict[str, Any], buffers: Any) -> None:

@@ -101,6 +101,7 @@ function connect({ model, el, tell, live, draw }) {
       return Promise.resolve(null);
     }
     const seq = next++;
+    if (matters) tell("", ""); // what it says was said of the answer before
     return new Promise((resolve) => {
       waiting.set(seq, { resolve, matters });
       try {

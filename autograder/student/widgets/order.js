@@ -172,7 +172,10 @@ function render({ model, el }) {
     const kept = state.response ?? cards.map(({ id }) => id);
     if (kept.join() !== order().join()) list.append(...kept.map((id) => byId.get(id).item));
     const parts = state.mark?.parts ?? [];
-    kept.forEach((id, at) => drawPart(byId.get(id).part, parts[at], "out of place"));
+    // Only what is out of place: that a card need not move does not mean that its number is right.
+    kept.forEach((id, at) => {
+      drawPart(byId.get(id).part, parts[at]?.right === false ? parts[at] : null, "out of place");
+    });
     name();
     if (![...byId.values()].some(({ grip }) => grip.tabIndex === 0)) rove(byId.get(kept[0]));
   }

@@ -70,7 +70,7 @@ function render({ model, el }) {
     make(
       "p",
       { class: "ag-entry" },
-      make("label", { for: id }, "Or type it here: ", make("code", {}, `${fixed.name} =`)),
+      make("label", { for: id }, fixed.prompt ? "Your answer: " : "Or type it here: ", make("code", {}, `${fixed.name} =`)),
       field,
       fixed.unit ? make("span", { class: "ag-unit" }, fixed.unit) : null,
     ),

@@ -87,13 +87,13 @@ class ValueWidget(QuestionWidget):
         """A value as HTML: numbers with their unit, expressions typeset."""
         if value is ... or isinstance(self.question, Function):
             return ""
-        name = _latex_name(str(self.question.name))
+        name = f"<code>{self.question.name}</code> ="
         if hasattr(value, "free_symbols"):
             import sympy as sp
 
-            return formula(f"{name} = {sp.latex(value)}", display=True)
+            return f"{name} {formula(sp.latex(value))}"
         unit = self.question.unit if isinstance(self.question, Number) else ""
-        return f"{formula(name + ' =')} {line(_plain(describe(value)))} {line(unit)}"
+        return f"{name} {line(_plain(describe(value)))} {line(unit)}"
 
     def do_type(self, message: dict[str, Any]) -> dict[str, Any]:
         """Keep what is typed, as soon as it can be understood."""
@@ -114,11 +114,6 @@ def _assign(question: Question, value: Any) -> None:
     shell = running_shell()
     if shell is not None and value is not ...:
         shell.user_ns[question.name] = value
-
-
-def _latex_name(name: str) -> str:
-    escaped = name.replace("_", r"\_")
-    return rf"\mathtt{{{escaped}}}"
 
 
 def _plain(text: str) -> str:

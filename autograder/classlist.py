@@ -1,0 +1,246 @@
+"""The class list and the late policy, from one small TOML file.
+
+::
+
+    [assignment]
+    title = "Exercise 3"          # the column's name in Canvas and Moodle
+    canvas_id = 4711              # optional: the number in the assignment's address
+
+    [late]
+    due = 2026-11-20T23:59:00
+    zone = "Europe/Zurich"
+    grace_minutes = 15            # later than that, every begun day since the due time counts
+    percent_a_day = 10            # of the points earned
+    most_percent = 50
+
+    [[student]]
+    name = "Ada Lovelace"
+    id = "98765"                  # the learning system's own number
+    sis_id = "S-1815"
+    login = "ada"
+    email = "ada@example.org"
+    section = "Tuesday"
+    submission = "ada_final"      # only if the file is called none of the above
+    extension_days = 3
+    handed_in = 2026-11-21T08:00:00   # only if the file's own time is wrong
+
+A submission belongs to the student whose ``submission``, ``login``, ``email``, ``id``, ``sis_id``
+or ``name`` it is called, or whose number or name stands where Canvas and Moodle put it.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+import tomllib
+from dataclasses import dataclass, fields
+from datetime import UTC, datetime, timedelta, tzinfo
+from pathlib import Path
+from typing import Any
+from zoneinfo import ZoneInfo, ZoneInfoNotFoundError
+
+from autograder.errors import CourseError
+
+# lovelaceada_LATE_98765_1234_submission.zip
+_CANVAS = re.compile(r"^[^_]+_(?:LATE_)?(?P<id>\d+)_\d+(?:_|$)")
+# Ada Lovelace_1234_assignsubmission_file
+_MOODLE = re.compile(r"^(?P<name>.+)_\d+_assignsubmission_")
+
+
+@dataclass(frozen=True)
+class Student:
+    """One student, as the learning system knows them; what is not known is empty."""
+
+    name: str
+    id: str = ""
+    sis_id: str = ""
+    login: str = ""
+    email: str = ""
+    section: str = ""
+    submission: str = ""
+    extension_days: float = 0.0
+    handed_in: datetime | None = None
+
+
+@dataclass(frozen=True)
+class LatePolicy:
+    """What lateness costs; all times know their zone."""
+
+    due: datetime
+    grace: timedelta
+    percent_a_day: float
+    most_percent: float
+
+    def days_late(self, handed_in: datetime, extension_days: float = 0.0) -> int:
+        """The days that have begun since the due time; none within the grace."""
+        # In the zone's own clock: three days later is the same hour, also when summer time ends.
+        due = (self.due + timedelta(days=extension_days)).astimezone(UTC)
+        late = handed_in.astimezone(UTC) - due
+        return 0 if late <= self.grace else math.ceil(late / timedelta(days=1))
+
+    def percent(self, days: int) -> float:
+        """What that many days cost, in percent of the points earned."""
+        return min(self.most_percent, days * self.percent_a_day)
+
+
+@dataclass(frozen=True)
+class ClassList:
+    """Who is in the class, what the assignment is called, and what lateness costs."""
+
+    students: tuple[Student, ...] = ()
+    title: str = "Autograder"
+    canvas_id: str = ""
+    late: LatePolicy | None = None
+
+    def find(self, submission: str) -> Student | None:
+        """The student to whom a submission of this name belongs."""
+        called = submission.casefold()
+        for name in ("submission", "login", "email", "id", "sis_id", "name"):
+            for student in self.students:
+                if called and getattr(student, name).casefold() == called:
+                    return student
+        canvas, moodle = _CANVAS.match(submission), _MOODLE.match(submission)
+        for student in self.students:
+            if canvas and student.id == canvas["id"]:
+                return student
+            if moodle and student.name.casefold() == moodle["name"].casefold():
+                return student
+        return None
+
+    def lateness(self, submission: str, found: datetime | None) -> tuple[str | None, int, float]:
+        """When it was handed in (UTC), the days late, and the percent they cost.
+
+        ``found`` is the time of the file; a time in the class list goes before.
+        """
+        student = self.find(submission) or Student(submission)
+        handed_in = student.handed_in or found
+        if handed_in is None:
+            return None, 0, 0.0
+        said = handed_in.astimezone(UTC).isoformat(timespec="seconds")
+        if self.late is None:
+            return said, 0, 0.0
+        days = self.late.days_late(handed_in, student.extension_days)
+        return said, days, self.late.percent(days)
+
+
+def read_class_list(path: Path) -> ClassList:
+    """Read the file.
+
+    Raises:
+        CourseError: if it cannot be read or says something unclear; the sentence names the place.
+    """
+    try:
+        tables = tomllib.loads(path.read_text(encoding="utf-8"))
+    except FileNotFoundError:
+        raise CourseError(f"There is no class list at {path}; check the name.") from None
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError, OSError) as error:
+        raise CourseError(f"{path} cannot be read: {error}.") from None
+    _only(tables, {"assignment", "late", "student"}, str(path))
+    assignment = _table(tables, "assignment", path)
+    _only(assignment, {"title", "canvas_id"}, f"[assignment] in {path}")
+    late = _table(tables, "late", path)
+    zone = _zone(late, path)
+    return ClassList(
+        _students(tables.get("student", []), zone, path),
+        str(assignment.get("title", "Autograder")),
+        str(assignment.get("canvas_id", "")),
+        _policy(late, zone, path) if late else None,
+    )
+
+
+def handed_in_at(path: Path) -> datetime | None:
+    """The time of a file, or of the newest file in a folder."""
+    try:
+        files = [file for file in path.rglob("*") if file.is_file()] if path.is_dir() else [path]
+        return datetime.fromtimestamp(max(file.stat().st_mtime for file in files), UTC)
+    except (OSError, ValueError, OverflowError):
+        return None
+
+
+def _policy(late: dict[str, Any], zone: tzinfo | None, path: Path) -> LatePolicy:
+    known = {"due", "zone", "grace_minutes", "percent_a_day", "most_percent"}
+    _only(late, known, f"[late] in {path}")
+    if "due" not in late:
+        raise CourseError(f"[late] in {path} has no `due`; write due = 2026-11-20T23:59:00.")
+    grace = _number(late, "grace_minutes", 0, path)
+    return LatePolicy(
+        _time(late["due"], zone, f"due in [late] of {path}"),
+        timedelta(minutes=grace),
+        _number(late, "percent_a_day", 0, path, 100),
+        _number(late, "most_percent", 100, path, 100),
+    )
+
+
+def _students(entries: Any, zone: tzinfo | None, path: Path) -> tuple[Student, ...]:
+    if not isinstance(entries, list) or not all(isinstance(entry, dict) for entry in entries):
+        raise CourseError(f"{path}: write each student as a [[student]] table.")
+    known = {field.name for field in fields(Student)}
+    students = []
+    taken: dict[str, str] = {}
+    for entry in entries:
+        where = f"the student {entry.get('name', '?')!r} in {path}"
+        _only(entry, known, where)
+        if not str(entry.get("name", "")).strip():
+            raise CourseError(f"A student in {path} has no name.")
+        values: dict[str, Any] = {
+            key: str(value).strip()
+            for key, value in entry.items()
+            if key not in ("extension_days", "handed_in")
+        }
+        values["extension_days"] = _number(entry, "extension_days", 0, path)
+        if "handed_in" in entry:
+            values["handed_in"] = _time(entry["handed_in"], zone, f"handed_in of {where}")
+        student = Student(**values)
+        for key in ("submission", "login", "email", "id", "sis_id"):
+            called = getattr(student, key).casefold()
+            if called and taken.setdefault(called, student.name) != student.name:
+                raise CourseError(
+                    f"{student.name} and {taken[called]} in {path} share {called!r}; "
+                    "a submission could not be told whose it is."
+                )
+        students.append(student)
+    return tuple(students)
+
+
+def _zone(late: dict[str, Any], path: Path) -> tzinfo | None:
+    if "zone" not in late:
+        return None
+    try:
+        return ZoneInfo(str(late["zone"]))
+    except (ZoneInfoNotFoundError, ValueError, OSError):
+        raise CourseError(
+            f"{late['zone']!r} in {path} is no known time zone; write one such as "
+            '"Europe/Zurich" (on Windows, `pip install tzdata` first).'
+        ) from None
+
+
+def _time(value: Any, zone: tzinfo | None, where: str) -> datetime:
+    if not isinstance(value, datetime):
+        raise CourseError(f"{where} is no date and time; write 2026-11-20T23:59:00.")
+    if value.tzinfo is not None:
+        return value
+    if zone is None:
+        raise CourseError(f'{where} has no time zone; add zone = "Europe/Zurich" to [late].')
+    return value.replace(tzinfo=zone)
+
+
+def _number(
+    table: dict[str, Any], key: str, default: float, path: Path, most: float = math.inf
+) -> float:
+    value = table.get(key, default)
+    if isinstance(value, bool) or not isinstance(value, int | float) or not 0 <= value <= most:
+        limit = "" if math.isinf(most) else f" to {most:g}"
+        raise CourseError(f"{key} = {value!r} in {path} must be a number from 0{limit}.")
+    return float(value)
+
+
+def _table(tables: dict[str, Any], name: str, path: Path) -> dict[str, Any]:
+    table = tables.get(name, {})
+    if not isinstance(table, dict):
+        raise CourseError(f"{path}: [{name}] must be a table.")
+    return table
+
+
+def _only(table: dict[str, Any], known: set[str], where: str) -> None:
+    for key in sorted(table.keys() - known):
+        raise CourseError(f"{where} has an unknown entry {key!r}; known are {sorted(known)}.")

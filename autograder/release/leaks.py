@@ -1,0 +1,106 @@
+"""Looks through a finished bundle for anything of the key."""
+
+from __future__ import annotations
+
+import ast
+import inspect
+import json
+import re
+import textwrap
+from collections.abc import Iterable, Iterator
+from itertools import pairwise
+from pathlib import Path
+
+from autograder.answers import Answer, FunctionAnswer, TrueFalseAnswer
+from autograder.course import Course
+from autograder.probes import load_object
+
+_SHORTEST = 12  # characters; shorter strings turn up by chance
+_SHORTEST_CODE = 40
+_TEXT = frozenset({".py", ".toml", ".md", ".json", ".ipynb", ".js", ".mjs", ".css", ".txt", ".csv"})
+
+
+def leaks(course: Course, bundle: Path, except_chapters: Iterable[str] = ()) -> Iterator[str]:
+    """A sentence for each part of the key that stands in a file of the bundle.
+
+    White space is ignored, so that text is found however it was wrapped; code is compared statement
+    by statement, without its comments and layout.
+    """
+    allowed = set(except_chapters)
+    texts, code = {}, {}
+    for path in sorted(bundle.rglob("*")):
+        name = path.relative_to(bundle)
+        if not path.is_file() or path.suffix not in _TEXT or name.parts[0] == "practice":
+            continue
+        content = path.read_text(encoding="utf-8")
+        texts[name] = _bare(content)
+        code[name] = _pairs(content) if path.suffix == ".py" else set()
+        if path.suffix == ".ipynb":
+            code[name] = set().union(*map(_pairs, _code_cells(content)))
+    for id, answer in course.key.items():
+        if course.question(id).chapter in allowed:
+            continue
+        for secret in secrets(answer):
+            bare = _bare(secret)
+            for name, text in texts.items():
+                if len(bare) >= _SHORTEST and bare in text:
+                    yield f"{name} holds {secret[:60]!r} of the key to {id}."
+        pairs = set().union(*(_pairs(source) for source in bodies(course, answer)))
+        for name, found in code.items():
+            if pairs & found:
+                yield f"{name} holds {min(pairs & found)[:60]!r} of the reference for {id}."
+
+
+def secrets(answer: Answer) -> Iterator[str]:
+    """The texts and the code of a key that must never reach a student."""
+    yield answer.explanation
+    yield answer.code
+    for alternative in answer.alternatives:
+        yield alternative.feedback
+    if isinstance(answer, TrueFalseAnswer):
+        for statement in answer.statements:
+            yield statement.explanation
+            yield statement.misconception
+    if isinstance(answer, FunctionAnswer):
+        yield answer.reference
+        yield from (alternative.function for alternative in answer.alternatives)
+
+
+def bodies(course: Course, answer: Answer) -> Iterator[str]:
+    """The sources of the reference and the mistakes of a function question."""
+    if isinstance(answer, FunctionAnswer):
+        for name in (answer.reference, *(entry.function for entry in answer.alternatives)):
+            yield textwrap.dedent(inspect.getsource(load_object(name, course.root)))
+
+
+def _pairs(source: str) -> set[str]:
+    """Every two neighbouring statements of some length, at any depth; docstrings do not count."""
+    try:
+        tree = ast.parse(source)
+    except (SyntaxError, ValueError):
+        return set()
+    found = set()
+    for node in ast.walk(tree):
+        for block in (getattr(node, name, None) for name in ("body", "orelse", "finalbody")):
+            if not isinstance(block, list):
+                continue
+            said = [
+                ast.unparse(statement)
+                for statement in block
+                if not (
+                    isinstance(statement, ast.Expr) and isinstance(statement.value, ast.Constant)
+                )
+            ]
+            found |= {f"{a}\n{b}" for a, b in pairwise(said) if len(a) + len(b) >= _SHORTEST_CODE}
+    return found
+
+
+def _code_cells(notebook: str) -> Iterator[str]:
+    for cell in json.loads(notebook).get("cells", []):
+        if cell.get("cell_type") == "code":
+            yield "".join(cell["source"])
+
+
+def _bare(text: str) -> str:
+    # In JSON, notebooks above all, a line break and a quotation mark are written out.
+    return re.sub(r'\\n|\\"|[\s"\\,]+', "", text)

@@ -1,0 +1,112 @@
+"""Grades in the formats of learning systems.
+
+Canvas: the header and the row of possible points that its gradebook import looks for
+(lib/gradebook_importer.rb in instructure/canvas-lms; the Instructor Guide, "How do I import grades
+in the Gradebook?"). Moodle: a CSV with columns that identify the user and columns to be mapped to a
+grade item and its feedback (docs.moodle.org, "Grade import").
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from autograder.classlist import ClassList, Student
+from autograder.course import Course
+from autograder.gradebook.record import Record
+from autograder.reports.files import write_csv
+from autograder.reports.machine import most_points
+
+
+def match(
+    class_list: ClassList, records: Sequence[Record]
+) -> tuple[list[tuple[Student, Record | None]], list[Record]]:
+    """Each student of the class with the work handed in, and the work that is nobody's.
+
+    Of several submissions of one student the first by name counts; the others are nobody's.
+    """
+    found: dict[Student, Record] = {}
+    left = []
+    for record in records:
+        student = class_list.find(record.student)
+        if student is None or student in found:
+            left.append(record)
+        else:
+            found[student] = record
+    return [(student, found.get(student)) for student in class_list.students], left
+
+
+def write_canvas(
+    path: Path, course: Course, class_list: ClassList, records: Sequence[Record]
+) -> list[Record]:
+    """Write a file for Canvas's gradebook import; returns the work that is nobody's.
+
+    Who handed in nothing gets an empty cell, which leaves the grade in Canvas open.
+    """
+    pairs, left = match(class_list, records)
+    number = f" ({class_list.canvas_id})" if class_list.canvas_id else ""
+    header = ["Student", "ID", "SIS User ID", "SIS Login ID", "Section"]
+    rows: list[list[object]] = [
+        [*header, f"{class_list.title}{number}"],
+        # Canvas writes the four spaces itself, so that no student sorts before this row.
+        ["    Points Possible", "", "", "", "", most_points(course)],
+    ]
+    for student, record in pairs:
+        row = [student.name, student.id, student.sis_id, student.login, student.section]
+        rows.append([*row, record.total if record else None])
+    write_csv(path, rows)
+    return left
+
+
+def write_moodle(
+    path: Path, course: Course, class_list: ClassList, records: Sequence[Record]
+) -> list[Record]:
+    """Write a file for Moodle's grade import; returns the work that is nobody's.
+
+    Moodle refuses a whole file for one unknown user, and a user without grade loses the one they
+    have: students who handed in nothing are left out. Importing feedback without a grade would
+    overwrite the grade, so both columns are there.
+    """
+    pairs, left = match(class_list, records)
+    header = ["First name and last name", "Username", "ID number", "Email address"]
+    rows: list[list[object]] = [[*header, class_list.title, f"{class_list.title} feedback"]]
+    for student, record in pairs:
+        if record is not None:
+            row = [student.name, student.login, student.sis_id or student.id, student.email]
+            rows.append([*row, record.total, _summary(course, record)])
+    write_csv(path, rows)
+    return left
+
+
+def write_plain(
+    path: Path, course: Course, class_list: ClassList, records: Sequence[Record]
+) -> list[Record]:
+    """Write every question's points with what the class list knows; nobody is left out."""
+    pairs, left = match(class_list, records)
+    header = ["submission", "name", "id", "sis_id", "login", "email", "section", *course.questions]
+    header += ["earned", "late_days", "late_deduction", "total", "max", "status", "handed_in"]
+    rows: list[list[object]] = [list(header)]
+    nobodys: list[tuple[Student | None, Record | None]] = [(None, record) for record in left]
+    for student, record in [*pairs, *nobodys]:
+        person = student or Student("")
+        row: list[object] = [record.student if record else None]
+        row += [person.name, person.id, person.sis_id, person.login, person.email, person.section]
+        row += [record.points(id) if record else None for id in course.questions]
+        most = most_points(course)
+        if record is None:
+            row += [None, None, None, None, most, "not handed in", None]
+        else:
+            row += [record.earned, record.late_days, record.deduction, record.total, most]
+            row += [record.graded.status, record.handed_in]
+        rows.append(row)
+    write_csv(path, rows)
+    return left
+
+
+def _summary(course: Course, record: Record) -> str:
+    said = ", ".join(
+        f"{question.id} {record.points(question.id) or 0.0:g}/{question.points:g}"
+        for question in course.questions.values()
+    )
+    late = f"; {record.late_days} days late, -{record.deduction:g}" if record.late_days else ""
+    return f"{said}{late}"

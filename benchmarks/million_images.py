@@ -1,0 +1,73 @@
+"""A database of a million synthetic images, in a process of its own to see its memory.
+
+`python -m benchmarks.million_images` prints one line of JSON for each size.
+"""
+
+import json
+import resource
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+
+from solutions.place_recognition import InvertedIndex
+
+WORD_COUNT = 10**6  # a tree of six levels with ten children
+SIZES = (100_000, 300_000, 1_000_000)
+PORTION = 10_000  # images added at a time
+
+
+def synthetic_images(rng: np.random.Generator, count: int) -> list[np.ndarray]:
+    """Return the words of images with 300 to 1000 features each.
+
+    The i-th most frequent word has a probability in proportion to 1 / sqrt(i) (Zipf's law with
+    the exponent 0.5), so the share of the i most frequent ones is sqrt(i / WORD_COUNT).
+    """
+    sizes = rng.integers(300, 1001, count)
+    words = (rng.random(sizes.sum()) ** 2 * WORD_COUNT).astype(np.int32)
+    return np.split(words, np.cumsum(sizes)[:-1])
+
+
+def main() -> None:
+    """Let the database grow, and ask it at every size."""
+    rng = np.random.default_rng(0)
+    queries = synthetic_images(rng, 25)
+    index, building = InvertedIndex(WORD_COUNT), 0.0
+    for size in SIZES:
+        while index.image_count < size:
+            images = synthetic_images(rng, min(PORTION, size - index.image_count))
+            start = time.perf_counter()
+            index.extend(images)
+            building += time.perf_counter() - start
+        start = time.perf_counter()
+        index.scores(queries[0])
+        weighting = time.perf_counter() - start
+        times = {"tf-idf": index.scores, "votes": index.votes}
+        result = {"images": size, "building": building, "weighting": weighting}
+        for name, ask in times.items():
+            seconds, busy = [], []
+            for query in queries:
+                start, start_busy = time.perf_counter(), time.process_time()
+                ask(query)
+                busy.append(time.process_time() - start_busy)
+                seconds.append(time.perf_counter() - start)
+            result |= {name: float(np.median(seconds)), f"slowest {name}": max(seconds)}
+            result[f"processor {name}"] = float(np.median(busy))
+        # Linux counts the peak in kilobytes, macOS in bytes.
+        peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+        result["peak"] = peak * (1 if sys.platform == "darwin" else 1024)
+        print(json.dumps(result), flush=True)
+
+
+def measured() -> list[dict[str, float]]:
+    """Run this module in a new process and return what it printed."""
+    command = [sys.executable, "-m", "benchmarks.million_images"]
+    root = Path(__file__).parents[1]
+    done = subprocess.run(command, cwd=root, capture_output=True, text=True, check=True)
+    return [json.loads(line) for line in done.stdout.splitlines()]
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,468 @@
+"""Every pitfall of widgets that a student could fall into, tried in a real browser."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import re
+import statistics
+from collections.abc import Iterator
+from pathlib import Path
+
+import nbformat
+import pytest
+from axe_playwright_python.sync_playwright import Axe
+from filelock import FileLock
+from lab import Notebook, Server
+from nbformat.v4 import new_code_cell, new_notebook
+from playwright.sync_api import Browser, Page, TimeoutError, expect
+
+NAME = "9_place_recognition_and_ransac.ipynb"
+CELLS = [
+    "from autograder import ask, check, progress, submit\n"
+    "from notebooks.explorers import explore_polar_line, explore_ransac",
+    'ask("Q1.1")',
+    'ask("Q1.2")',
+    "iterations = ...",
+    'check("Q3.2.1", iterations)',
+    "outlier_model = ...",
+    'check("Q3.2.3a", outlier_model)',
+    "progress()",
+    "explore_ransac()",
+    "explore_polar_line([(1, 0), (1, 1), (1.1, 2)])",
+]
+
+
+@pytest.fixture(scope="module")
+def path(server: Server) -> Path:
+    """A notebook with a question of every kind that can be clicked."""
+    cells = [new_code_cell(source, id=f"cell-{n}") for n, source in enumerate(CELLS)]
+    notebook = new_notebook(cells=cells)
+    notebook.metadata["kernelspec"] = {"display_name": "Python 3", "name": "python3"}
+    target = server.course / "notebooks" / NAME
+    nbformat.write(notebook, target)
+    return target
+
+
+@pytest.fixture(scope="module")
+def opened(browser: Browser, server: Server, path: Path) -> Iterator[Notebook]:
+    page = browser.new_page(viewport={"width": 1200, "height": 1000})
+    page.set_default_timeout(45_000)
+    yield Notebook(page, server, NAME).open()
+    page.close()
+
+
+@pytest.fixture
+def sheet(opened: Notebook) -> Notebook:
+    """The notebook, run from the top, with nothing answered."""
+    forget_answers(opened.server)
+    opened.run_all()
+    opened.wait_for_widgets()
+    return opened
+
+
+def forget_answers(server: Server) -> None:
+    """Files without answers: a file that is missing would be rebuilt from the notebook."""
+    folder = server.course / "notebooks/responses"
+    folder.mkdir(exist_ok=True)
+    for chapter in ("place_recognition", "line_fitting", "ransac"):
+        empty = {"chapter": chapter, "responses": {}}
+        (folder / f"{chapter}.json").write_text(json.dumps(empty))
+
+
+def radio(sheet: Notebook, statement: int, said: bool):
+    return sheet.question("Q1.1").get_by_role("radio").nth(2 * statement + (not said))
+
+
+def choose(sheet: Notebook, statement: int, said: bool) -> None:
+    radio(sheet, statement, said).click()
+    expect(sheet.question("Q1.1").locator(".ag-status")).to_have_text("Kept.")
+
+
+def cards(sheet: Notebook) -> list[str]:
+    return sheet.question("Q1.2").locator(".ag-card .ag-text").all_inner_texts()
+
+
+def grip(sheet: Notebook, at: int):
+    return sheet.question("Q1.2").locator(".ag-card").nth(at).locator(".ag-grip")
+
+
+def moved(order: list[str], at: int, to: int) -> list[str]:
+    order = list(order)
+    order.insert(to, order.pop(at))
+    return order
+
+
+def response(sheet: Notebook, id: str):
+    return sheet.kept().get(id, {}).get("response")
+
+
+# Answering
+
+
+def test_a_click_is_kept_in_the_file_beside_the_notebook(sheet: Notebook):
+    choose(sheet, 0, True)
+    choose(sheet, 2, False)
+    assert response(sheet, "Q1.1") == [True, None, False, None]
+
+
+def test_a_click_is_answered_within_100_ms(sheet: Notebook):
+    measure = """async (root) => {
+        const status = root.querySelector(".ag-status");
+        const times = [];
+        for (const radio of root.querySelectorAll("input")) {
+            const start = performance.now();
+            await new Promise((resolve) => {
+                const seen = new MutationObserver(() => (seen.disconnect(), resolve()));
+                seen.observe(status, { childList: true });
+                radio.click();
+            });
+            times.push(performance.now() - start);
+        }
+        return times;
+    }"""
+    rounds = [sheet.question("Q1.1").evaluate(measure) for _ in range(3)]
+    assert min(statistics.median(times) for times in rounds) < 100
+
+
+def test_feedback_stands_at_the_statement_and_attempts_are_counted(sheet: Notebook):
+    question = sheet.question("Q1.1")
+    choose(sheet, 0, True)
+    choose(sheet, 1, False)
+    for count in ("1 attempt", "2 attempts"):
+        question.get_by_role("button", name="Check").click()
+        expect(question.locator(".ag-attempts")).to_have_text(count)
+    expect(question.locator("tbody tr").nth(0).locator(".ag-part")).to_contain_text("right")
+    expect(question.locator("tbody tr").nth(1).locator(".ag-part")).to_contain_text("look again")
+    expect(question.locator("tbody tr").nth(2).locator(".ag-part")).to_contain_text("open")
+    choose(sheet, 2, True)
+    expect(question.locator(".ag-verdict")).to_have_count(0)  # it judged another response
+
+
+def test_hints_come_one_at_a_time(sheet: Notebook):
+    question = sheet.question("Q1.1")
+    expect(question.locator(".ag-hints li")).to_have_count(0)
+    question.get_by_role("button", name="Hint 1").click()
+    expect(question.locator(".ag-hints li")).to_have_count(1)
+    question.get_by_role("button", name="Hint 2").click()
+    expect(question.locator(".ag-hints li")).to_have_count(2)
+    assert response(sheet, "Q1.1") is None
+
+
+def test_the_progress_bar_follows_by_itself(sheet: Notebook):
+    bar = sheet.page.locator('.autograder[aria-label="Progress"] li').first
+    expect(bar).to_contain_text(re.compile(r"\D0 of \d+ answered"))
+    choose(sheet, 0, True)
+    expect(bar).to_contain_text(re.compile(r"\D1 of \d+ answered"))
+
+
+def test_cards_are_dragged_with_the_mouse(sheet: Notebook):
+    before = cards(sheet)
+    drag(sheet.page, grip(sheet, 0), sheet.question("Q1.2").locator(".ag-card").nth(3))
+    expect(sheet.question("Q1.2").locator(".ag-status")).to_have_text("Kept.")
+    assert cards(sheet) == moved(before, 0, 3)
+    assert len(response(sheet, "Q1.2")) == 12
+
+
+def drag(page: Page, start, end) -> None:
+    start.scroll_into_view_if_needed()
+    source, target = start.bounding_box(), end.bounding_box()
+    page.mouse.move(source["x"] + 8, source["y"] + source["height"] / 2)
+    page.mouse.down()
+    page.mouse.move(source["x"] + 8, target["y"] + target["height"] - 4, steps=8)
+    page.mouse.up()
+
+
+def test_cards_are_dragged_with_a_finger(sheet: Notebook):
+    before = cards(sheet)
+    grip(sheet, 1).scroll_into_view_if_needed()
+    source = grip(sheet, 1).bounding_box()
+    target = sheet.question("Q1.2").locator(".ag-card").nth(0).bounding_box()
+    finger = sheet.page.context.new_cdp_session(sheet.page)
+    x, y = source["x"] + 8, source["y"] + source["height"] / 2
+
+    def touch(kind: str, *points: dict[str, float]) -> None:
+        finger.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": list(points)})
+
+    touch("touchStart", {"x": x, "y": y})
+    for step in range(1, 9):
+        touch("touchMove", {"x": x, "y": y + (target["y"] + 4 - y) * step / 8})
+    touch("touchEnd")
+    expect(sheet.question("Q1.2").locator(".ag-status")).to_have_text("Kept.")
+    assert cards(sheet) == moved(before, 1, 0)
+
+
+def test_cards_are_moved_by_keys_and_every_move_is_announced(sheet: Notebook):
+    before = cards(sheet)
+    question, keys = sheet.question("Q1.2"), sheet.page.keyboard
+    grip(sheet, 0).focus()
+    keys.press("ArrowDown")
+    keys.press("Space")
+    keys.press("ArrowDown")
+    expect(question.locator(".ag-announcer")).to_have_text(f"{before[1]}: now 3 of 12.")
+    keys.press("ArrowDown")
+    keys.press("Space")
+    expect(question.locator(".ag-status")).to_have_text("Kept.")
+    assert cards(sheet) == moved(before, 1, 3)
+    expect(grip(sheet, 3)).to_be_focused()
+    keys.press("Space")
+    keys.press("ArrowUp")
+    keys.press("Escape")
+    assert cards(sheet) == moved(before, 1, 3)
+    keys.press("Alt+ArrowUp")
+    assert cards(sheet) == moved(before, 1, 2)
+    stops = question.locator(".ag-card [tabindex='0']")
+    expect(stops).to_have_count(1)
+
+
+def test_cards_are_moved_by_their_buttons(sheet: Notebook):
+    before = cards(sheet)
+    question = sheet.question("Q1.2")
+    question.get_by_role("button", name=f"Move down: {before[0]}", exact=True).click()
+    expect(question.locator(".ag-status")).to_have_text("Kept.")
+    assert cards(sheet) == moved(before, 0, 1)
+
+
+def test_cards_out_of_place_are_marked(sheet: Notebook):
+    question = sheet.question("Q1.2")
+    grip(sheet, 0).focus()
+    sheet.page.keyboard.press("Alt+ArrowDown")
+    question.get_by_role("button", name="Check").click()
+    expect(question.locator(".ag-verdict")).to_be_visible()
+    assert "✗ out of place" in question.locator(".ag-cards").inner_text()
+
+
+def test_a_typed_formula_is_typeset_kept_and_given_to_the_variable(sheet: Notebook):
+    question = sheet.question("Q3.2.3a")
+    question.get_by_role("textbox").fill("2*w^3")
+    expect(question.locator(".ag-understood math")).to_be_visible()
+    expect(question.locator(".ag-status")).to_have_text("Kept.")
+    assert response(sheet, "Q3.2.3a") == "2*w^3"
+    question.get_by_role("textbox").press("Enter")
+    expect(question.locator(".ag-verdict")).to_contain_text("wrong")
+    expect(question.locator(".ag-attempts")).to_have_text("1 attempt")
+
+
+def test_a_typed_number_is_read_and_nonsense_is_not_kept(sheet: Notebook):
+    question = sheet.question("Q3.2.1")
+    question.get_by_role("textbox").fill("3 * 7")
+    expect(question.locator(".ag-understood")).to_contain_text("21")
+    question.get_by_role("textbox").fill("3 * seven")
+    expect(question.locator(".ag-status")).to_contain_text("seven is no number here")
+    assert response(sheet, "Q3.2.1") == 21
+
+
+# Never lose an answer, never pretend to have it
+
+
+def test_keys_pressed_in_a_widget_do_nothing_to_the_notebook(sheet: Notebook):
+    before = sheet.sources()
+    radio(sheet, 0, True).focus()
+    for key in ("b", "a", "x", "d", "d", "m", "z", "ArrowRight"):
+        sheet.page.keyboard.press(key)
+    expect(radio(sheet, 0, False)).to_be_checked()
+    grip(sheet, 0).focus()
+    for key in ("b", "x", "ArrowDown", "Enter", "Escape", "Shift+Enter"):
+        sheet.page.keyboard.press(key)
+    sheet.question("Q3.2.1").get_by_role("textbox").press_sequentially("1 + b")
+    sheet.question("Q1.1").get_by_role("button", name="Check").focus()
+    sheet.page.keyboard.press("c")
+    assert sheet.sources() == before
+
+
+def test_the_keys_for_saving_still_save(sheet: Notebook, path: Path):
+    choose(sheet, 1, True)
+    radio(sheet, 1, True).focus()
+    sheet.page.keyboard.press("Control+s")
+    sheet.wait_until_saved()
+    assert '"Q1.1"' in path.read_text()
+
+
+def test_a_second_tab_shows_what_was_clicked_in_the_first(sheet: Notebook, browser: Browser):
+    sheet.save()
+    context = browser.new_context(viewport={"width": 1200, "height": 1000})
+    other = Notebook(context.new_page(), sheet.server, NAME).open()
+    expect(radio(other, 0, True)).to_be_enabled()
+    choose(sheet, 0, True)
+    expect(radio(other, 0, True)).to_be_checked()
+    choose(other, 3, False)
+    expect(radio(sheet, 3, False)).to_be_checked()
+    assert response(sheet, "Q1.1") == [True, None, None, False]
+    context.close()
+
+
+def test_a_cell_that_is_run_again_and_one_whose_output_was_cleared_show_the_answer(
+    sheet: Notebook,
+):
+    choose(sheet, 0, True)
+    sheet.command("notebook:clear-all-cell-outputs")
+    expect(sheet.question("Q1.1")).to_have_count(0)
+    sheet.run_cell(1)
+    expect(radio(sheet, 0, True)).to_be_checked()
+    sheet.run_cell(1)
+    expect(radio(sheet, 0, True)).to_be_checked()
+    expect(radio(sheet, 0, True)).to_be_enabled()
+
+
+def test_a_folder_that_cannot_be_written_is_said_at_once_and_a_click_is_taken_back(
+    sheet: Notebook,
+):
+    folder = sheet.server.course / "notebooks/responses"
+    aside = folder.rename(folder.with_name("moved away"))
+    folder.write_text("a file stands in the way")
+    try:
+        radio(sheet, 0, True).click()
+        expect(sheet.question("Q1.1").locator(".ag-status")).to_contain_text("NOT saved")
+        expect(radio(sheet, 0, True)).not_to_be_checked()
+        sheet.run_cell(1)
+        expect(sheet.question("Q1.1").locator(".ag-refusal")).to_contain_text("NOT saved")
+    finally:
+        folder.unlink()
+        aside.rename(folder)
+
+
+def test_a_damaged_file_is_kept_aside_and_rebuilt_from_the_saved_notebook(sheet: Notebook):
+    choose(sheet, 0, True)
+    choose(sheet, 1, False)
+    sheet.save()
+    damaged = sheet.server.course / "notebooks/responses/place_recognition.json"
+    damaged.write_text("{")
+    sheet.run_cell(1)
+    expect(radio(sheet, 0, True)).to_be_checked()
+    expect(radio(sheet, 1, False)).to_be_checked()
+    expect(sheet.page.get_by_text("was damaged and is kept as")).to_be_visible()
+    aside = list(damaged.parent.glob("place_recognition.damaged-*.json"))
+    assert [entry.read_text() for entry in aside] == ["{"]
+    aside[0].unlink()
+
+
+def test_after_a_restart_the_controls_are_off_until_the_cell_is_run_again(sheet: Notebook):
+    choose(sheet, 0, True)
+    sheet.page.evaluate(
+        "() => { window.jupyterapp.shell.currentWidget.sessionContext.session.kernel.restart() }"
+    )
+    status = sheet.question("Q1.1").locator(".ag-status")
+    expect(status).to_contain_text("Run this cell again")
+    expect(radio(sheet, 0, False)).to_be_disabled()
+    expect(radio(sheet, 0, True)).to_be_checked()
+    sheet.wait_for_kernel()
+    expect(radio(sheet, 0, False)).to_be_disabled()
+    sheet.run_cell(0)
+    sheet.run_cell(1)
+    expect(radio(sheet, 0, True)).to_be_checked()
+    expect(radio(sheet, 0, False)).to_be_enabled()
+
+
+def test_as_long_as_an_answer_is_not_written_it_is_not_called_kept(sheet: Notebook):
+    status = sheet.question("Q1.1").locator(".ag-status")
+    with FileLock(sheet.server.course / "notebooks/responses/place_recognition.lock"):
+        radio(sheet, 0, True).click()
+        expect(status).to_contain_text("NOT kept yet")
+        assert response(sheet, "Q1.1") is None
+    expect(status).to_have_text("Kept.")
+    assert response(sheet, "Q1.1") == [True, None, None, None]
+
+
+# For everybody
+
+
+@pytest.mark.parametrize("theme", ["JupyterLab Light", "JupyterLab Dark"])
+def test_axe_finds_nothing_to_complain_about(sheet: Notebook, theme: str):
+    choose(sheet, 0, True)
+    choose(sheet, 1, False)
+    sheet.question("Q1.1").get_by_role("button", name="Hint 1").click()
+    sheet.question("Q1.1").get_by_role("button", name="Check").click()
+    sheet.question("Q3.2.3a").get_by_role("textbox").fill("w + ")
+    expect(sheet.question("Q3.2.3a").locator(".ag-status")).not_to_be_empty()
+    use_theme(sheet, theme)
+    results = Axe().run(
+        sheet.page,
+        context={"include": [[".autograder"], [".explorer"]]},
+    )
+    use_theme(sheet, "JupyterLab Light")
+    assert results.violations_count == 0, results.generate_report()
+    passed = {rule["id"] for rule in results.response["passes"]}
+    assert {"color-contrast", "label", "button-name", "list"} <= passed
+
+
+def use_theme(sheet: Notebook, theme: str) -> None:
+    sheet.page.evaluate(
+        "theme => { window.jupyterapp.commands.execute('apputils:change-theme', {theme}) }", theme
+    )
+    light = "true" if theme.endswith("Light") else "false"
+    sheet.page.wait_for_function(f"document.body.dataset.jpThemeLight === '{light}'")
+
+
+@pytest.mark.parametrize(("width", "zoom"), [(600, 1), (1200, 2)])
+def test_nothing_is_cut_off_in_a_narrow_window_or_at_200_percent(
+    sheet: Notebook, width: int, zoom: int
+):
+    sheet.page.set_viewport_size({"width": width, "height": 1000})
+    sheet.page.evaluate(f"() => {{ document.body.style.zoom = {zoom}; }}")
+    sheet.command("application:toggle-left-area")
+    find_wider = """[...document.querySelectorAll('.autograder, .explorer')]
+        .filter((root) => root.scrollWidth > root.clientWidth + 1)
+        .map((root) => root.getAttribute('aria-label'))"""
+    with contextlib.suppress(TimeoutError):  # the windows' parts find their sizes one by one
+        sheet.page.wait_for_function(f"() => {find_wider}.length === 0", timeout=5_000)
+    wider = sheet.page.evaluate(f"() => {find_wider}")
+    sheet.command("application:toggle-left-area")
+    sheet.page.evaluate("() => { document.body.style.zoom = 1; }")
+    sheet.page.set_viewport_size({"width": 1200, "height": 1000})
+    assert wider == []
+
+
+def test_the_explorer_of_ransac_follows_its_controls_and_simulates(sheet: Notebook):
+    explorer = sheet.page.get_by_role("group", name="Explorer: how many iterations RANSAC needs")
+    share = explorer.get_by_role("slider")
+    share.focus()
+    share.fill("0.5")
+    # By hand: 1 - 0.75**17 is the first power above 0.99.
+    expect(explorer.locator(".ex-result")).to_contain_text("k = 17 iterations")
+    explorer.get_by_role("combobox").first.select_option("0.9")
+    expect(explorer.locator(".ex-result")).to_contain_text("k = 9 iterations")
+    explorer.get_by_role("button", name="Simulate").click()
+    expect(explorer.get_by_text("of 1000 simulated runs")).to_be_visible()
+
+
+def test_the_explorer_of_the_polar_line_shows_the_cost_of_the_line_that_is_dragged(
+    sheet: Notebook,
+):
+    explorer = sheet.page.get_by_role("group", name="Explorer: a line in polar form and its cost")
+    radius, angle = explorer.get_by_role("slider").all()
+    radius.fill("0")
+    angle.fill("0")
+    # By hand: the squares of 1, 1 and 1.1 add up to 3.21.
+    expect(explorer.locator(".ex-result")).to_contain_text("S = 3.21 m²")
+    explorer.locator(".ex-scene").scroll_into_view_if_needed()
+    handle = explorer.locator(".ex-handle").bounding_box()
+    x, y = handle["x"] + handle["width"] / 2, handle["y"] + handle["height"] / 2
+    sheet.page.mouse.move(x, y)
+    sheet.page.mouse.down()
+    sheet.page.mouse.move(x + 60, y, steps=4)
+    sheet.page.mouse.up()
+    expect(explorer.locator(".ex-result")).not_to_contain_text("at r = 0.00 m")
+    expect(explorer.locator(".ex-result")).to_contain_text("α = 0°")
+
+
+# The last test: it ends the kernel.
+
+
+def test_a_notebook_that_is_opened_again_without_its_kernel_shows_what_was_kept(
+    sheet: Notebook,
+):
+    choose(sheet, 0, True)
+    sheet.run_cell(1)
+    sheet.save()
+    sheet.page.evaluate("() => { window.jupyterapp.shell.currentWidget.sessionContext.shutdown() }")
+    expect(sheet.question("Q1.1").locator(".ag-status")).to_contain_text("Run this cell again")
+    sheet.open()
+    expect(radio(sheet, 0, True)).to_be_checked()
+    expect(radio(sheet, 0, True)).to_be_disabled()
+    expect(sheet.question("Q1.1").locator(".ag-status")).to_contain_text("Run this cell again")
+    receipt = sheet.page.locator(".autograder-receipt").first
+    expect(receipt).to_be_hidden()
+    sheet.run_cell(0)
+    sheet.run_cell(1)
+    expect(radio(sheet, 0, False)).to_be_enabled()
+    expect(radio(sheet, 0, True)).to_be_checked()

@@ -1,0 +1,372 @@
+"""The student bundle: all that students need, nothing of the key, and checks that are right."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+import tomllib
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from autograder.answers import ExpressionAnswer, FunctionAnswer
+from autograder.course import Course, load_course
+from autograder.errors import CourseError, UsageError
+from autograder.formula import evaluate_formula
+from autograder.probes import load_object
+from autograder.release.bundle import release
+from autograder.release.leaks import leaks, secrets
+from autograder.sandbox.evaluate import evaluate
+from autograder.snapshots import SnapshotMarker, pack, unpack
+from tests.classroom import SECRETS, copy_course, make_course, notebook
+
+REPOSITORY = Path(__file__).parents[2]
+
+
+@pytest.fixture(scope="module")
+def course() -> Course:
+    return load_course(REPOSITORY)
+
+
+@pytest.fixture(scope="module")
+def bundle(course: Course, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The bundle of the course itself."""
+    folder = tmp_path_factory.mktemp("release") / "bundle"
+    made = release(course, folder)
+    assert made.blind == ()
+    return folder
+
+
+@pytest.fixture(scope="module")
+def orchard(tmp_path_factory: pytest.TempPathFactory) -> Course:
+    return make_course(tmp_path_factory.mktemp("orchard") / "course")
+
+
+def everything(folder: Path) -> str:
+    return "\n".join(
+        path.read_text(encoding="utf-8", errors="replace")
+        for path in sorted(folder.rglob("*"))
+        if path.is_file()
+    )
+
+
+def test_no_word_of_a_small_course_s_key_is_in_its_bundle(orchard: Course, tmp_path: Path):
+    release(orchard, tmp_path / "bundle")
+    text = everything(tmp_path / "bundle")
+    for secret in SECRETS:
+        assert secret not in text
+    assert "Rows times trees in a row." in text  # hints are for students
+
+
+def test_nothing_of_the_real_key_is_in_the_real_bundle(course: Course, bundle: Path):
+    # Written again without the release's own search: whole texts, as they stand in the key.
+    text = everything(bundle)
+    escaped = json.dumps(text)
+    for answer in course.key.values():
+        for secret in secrets(answer):
+            if len(secret) >= 16:
+                assert secret not in text
+                assert json.dumps(secret)[1:-1] not in escaped
+    assert not (bundle / "solutions").exists()
+    assert not (bundle / "notebooks/source").exists()
+    assert not list(bundle.rglob("*answers*.toml"))
+
+
+def test_the_notebooks_are_the_untouched_ones(course: Course, bundle: Path):
+    for path in sorted((bundle / "notebooks").glob("*.ipynb")):
+        cells = json.loads(path.read_text())["cells"]
+        code = [cell for cell in cells if cell["cell_type"] == "code"]
+        assert code
+        assert all(cell["outputs"] == [] for cell in code)
+        assert not any(".respond(" in "".join(cell["source"]) for cell in code)
+    names = {path.name for path in (bundle / "notebooks").glob("*.ipynb")}
+    assert names == {path.name for path in (REPOSITORY / "notebooks").glob("*.ipynb")}
+
+
+def test_a_leak_stops_the_release(orchard: Course, tmp_path: Path):
+    leaky = copy_course(orchard, tmp_path / "course")
+    (leaky.root / "data").mkdir()
+    (leaky.root / "data/notes.md").write_text(
+        "Mind: Cones grow\n  on conifers, the secret of the orchard."
+    )
+    with pytest.raises(CourseError, match=r"Nothing was released: data/notes\.md"):
+        release(leaky, tmp_path / "bundle")
+    assert not (tmp_path / "bundle").exists()
+
+
+def test_a_reference_that_was_copied_into_the_data_is_found(orchard: Course, tmp_path: Path):
+    (tmp_path / "bundle/data").mkdir(parents=True)
+    (tmp_path / "bundle/data/x.py").write_text(
+        "def f(weights):\n"
+        "  most = weights[0]\n"
+        "  for weight in weights:  # in another layout, with other comments\n"
+        "      most = max( most, weight )\n"
+    )
+    assert any("Q4" in said for said in leaks(orchard, tmp_path / "bundle"))
+
+
+def test_what_is_not_on_the_list_stays_here(orchard: Course, tmp_path: Path):
+    cluttered = copy_course(orchard, tmp_path / "course")
+    (cluttered.root / "notebooks/responses").mkdir()
+    (cluttered.root / "notebooks/responses/orchard.json").write_text("{}")
+    (cluttered.root / "notebooks/mine.txt").write_text("private")
+    (cluttered.root / "grades").mkdir()
+    (cluttered.root / "grades/grades.csv").write_text("private")
+    (cluttered.root / "data").mkdir()
+    (cluttered.root / "data/key.pkl").write_text("private")
+    (cluttered.root / "data/.env").write_text("private")
+    (cluttered.root / "data/link.csv").symlink_to(cluttered.root / "grades/grades.csv")
+    release(cluttered, tmp_path / "bundle")
+    assert "private" not in everything(tmp_path / "bundle")
+
+
+def test_a_folder_that_holds_something_is_never_written_to(orchard: Course, tmp_path: Path):
+    (tmp_path / "bundle").mkdir()
+    (tmp_path / "bundle/mine").write_text("mine")
+    with pytest.raises(UsageError, match="not empty"):
+        release(orchard, tmp_path / "bundle")
+    assert (tmp_path / "bundle/mine").read_text() == "mine"
+
+
+def test_students_install_what_notebooks_need_and_no_more(bundle: Path):
+    table = tomllib.loads((bundle / "pyproject.toml").read_text())
+    names = " ".join(table["project"]["dependencies"])
+    for needed in ("jupyterlab", "numpy", "sympy", "matplotlib", "anywidget", "filelock"):
+        assert needed in names
+    for unwanted in ("nbval", "jupytext", "rich"):
+        assert unwanted not in names
+    assert "scripts" not in table["project"]
+
+
+# The checks in the bundle
+
+
+def function_ids() -> list[tuple[str, str]]:
+    """Every function question with each of its known mistakes."""
+    return [
+        (id, mistake.function)
+        for id, answer in load_course(REPOSITORY).key.items()
+        if isinstance(answer, FunctionAnswer)
+        for mistake in answer.alternatives
+    ]
+
+
+@pytest.fixture(scope="module")
+def marker(bundle: Path) -> SnapshotMarker:
+    return SnapshotMarker(load_course(bundle))
+
+
+def test_every_reference_is_right_in_the_bundle(course: Course, marker: SnapshotMarker):
+    for id, answer in course.key.items():
+        if isinstance(answer, FunctionAnswer):
+            reference = load_object(answer.reference, course.root)
+            mark = marker.mark(id, evaluate(reference, marker.probe(id)))
+            assert (mark.status, mark.credit) == ("right", 1.0)
+            assert "after you hand in" in mark.feedback
+
+
+@pytest.mark.parametrize(("id", "mistake"), function_ids())
+def test_every_known_mistake_is_wrong_in_the_bundle(
+    course: Course, marker: SnapshotMarker, id: str, mistake: str
+):
+    with np.errstate(all="ignore"):
+        reply = evaluate(load_object(mistake, course.root), marker.probe(id))
+    mark = marker.mark(id, reply)
+    assert mark.status == "wrong"
+    assert "expected is" in mark.feedback
+
+
+def test_expressions_are_right_or_wrong_as_the_key_says(course: Course, marker: SnapshotMarker):
+    checked = 0
+    for id, answer in course.key.items():
+        if isinstance(answer, ExpressionAnswer):
+            points = marker.probe(id)["points"]
+            count = len(next(iter(points.values())))
+            for entry in answer.alternatives:
+                values = np.broadcast_to(evaluate_formula(entry.expression, points), (count,))
+                mark = marker.mark(id, {"state": "given", "values": values.astype(complex)})
+                assert mark.status == ("wrong" if entry.is_mistake else "right"), (id, entry.name)
+                checked += 1
+    assert checked > 10
+
+
+def test_choices_and_numbers_are_recorded(course: Course, marker: SnapshotMarker):
+    for id, question in course.questions.items():
+        if question.kind in ("true_false", "order"):
+            assert marker.mark(id, [True]).status == "recorded"
+        if question.kind == "number":
+            assert marker.mark(id, {"state": "given", "value": 1}).status == "recorded"
+
+
+def test_a_hint_shows_the_failing_example(marker: SnapshotMarker):
+    reply = evaluate(lambda p, w, s: 3, marker.probe("Q3.3"))
+    said = marker.mark("Q3.3", reply).feedback
+    assert "required_iterations(0.99, 0.5, 2) gives 3; expected is 17." in said
+
+
+@pytest.mark.parametrize(
+    "response",
+    [
+        lambda *a, **k: None,
+        lambda *a, **k: "\x1b[31m",
+        lambda *a, **k: [[[[]]]],
+        lambda *a, **k: 1 / 0,
+        lambda *a, **k: float("nan"),
+        lambda *a, **k: object(),
+    ],
+)
+def test_anything_a_function_may_return_gets_a_plain_sentence(
+    marker: SnapshotMarker, response: object
+):
+    for id in ("Q2.3", "Q3.3"):
+        mark = marker.mark(id, evaluate(response, marker.probe(id)))
+        assert mark.status == "wrong"
+        assert mark.feedback.isprintable()
+
+
+def test_a_question_may_opt_out_of_being_checked(orchard: Course, tmp_path: Path):
+    changed = copy_course(orchard, tmp_path / "course")
+    path = changed.root / "solutions/answers/orchard.toml"
+    path.write_text(path.read_text().replace('["Q4"]\n', '["Q4"]\nsnapshot = false\n'))
+    release(load_course(changed.root), tmp_path / "bundle")
+    marker = SnapshotMarker(load_course(tmp_path / "bundle"))
+    assert marker.mark("Q4", evaluate(max, marker.probe("Q4"))).status == "recorded"
+    assert "expected" not in (tmp_path / "bundle/notebooks/snapshots/orchard.json").read_text()
+
+    def stub(weights):
+        raise NotImplementedError
+
+    assert marker.mark("Q4", evaluate(stub, marker.probe("Q4"))).status == "not attempted"
+
+
+def test_no_hidden_input_that_is_always_the_same_is_shown(orchard: Course, tmp_path: Path):
+    changed = copy_course(orchard, tmp_path / "course")
+    path = changed.root / "orchard_reference.py"
+    path.write_text(
+        path.read_text().replace(
+            "    return [\n", '    return [\n        {"name": "fixed", "args": [[777.25, 3.0]]},\n'
+        )
+    )
+    # In a process of its own: the module of this name is loaded here already.
+    code = (
+        "import sys; from pathlib import Path; from autograder.course import load_course;"
+        "from autograder.release.bundle import release;"
+        "release(load_course(Path(sys.argv[1])), Path(sys.argv[2]))"
+    )
+    subprocess.run(
+        [sys.executable, "-c", code, str(changed.root), str(tmp_path / "bundle")], check=True
+    )
+    text = (tmp_path / "bundle/notebooks/snapshots/orchard.json").read_text()
+    assert "777.25" not in text
+    assert "251.5" in text or "120.0" in text
+
+
+def test_plain_data_survive_packing():
+    value = {
+        "a": np.array([[1.5, np.inf]]),
+        "b": np.array([], dtype=np.int32),
+        "c": np.array([1 + 2j]),
+        "d": [1, "x", None, True, {"rng": 3}],
+    }
+    found = unpack(json.loads(json.dumps(pack(value))))
+    for name in "abc":
+        np.testing.assert_array_equal(found[name], value[name])
+    assert found["d"] == value["d"]
+
+
+def test_a_damaged_snapshot_is_said(orchard: Course, tmp_path: Path):
+    release(orchard, tmp_path / "bundle")
+    (tmp_path / "bundle/notebooks/snapshots/orchard.json").write_text("{")
+    with pytest.raises(CourseError, match="is damaged"):
+        SnapshotMarker(load_course(tmp_path / "bundle"))
+
+
+# Practice
+
+
+def test_a_practised_chapter_brings_its_key_and_no_other(course: Course, tmp_path: Path):
+    made = release(course, tmp_path / "bundle", ["line_fitting"])
+    practice = {str(path) for path in made.files if path.parts[0] == "practice"}
+    assert "practice/solutions/answers/line_fitting.toml" in practice
+    assert not any("ransac" in name for name in practice)
+    keyed = load_course(tmp_path / "bundle/practice")
+    assert keyed.key.keys() == {q.id for q in course.chapter("line_fitting").questions}
+
+
+def test_a_chapter_whose_key_answers_another_one_is_not_practised_alone(
+    course: Course, tmp_path: Path
+):
+    with pytest.raises(UsageError, match="practise line_fitting too"):
+        release(course, tmp_path / "bundle", ["ransac"])
+    assert not (tmp_path / "bundle").exists()
+
+
+def test_practice_gives_full_feedback_in_the_bundle(course: Course, tmp_path: Path):
+    release(course, tmp_path / "bundle", ["ransac", "line_fitting"])
+    code = (
+        "from autograder import ask, check\n"
+        "print(check('Q3.2.1', 14))\n"
+        "print(check('Q3.2.1', 74))\n"
+        "print(ask('Q1.1').respond([True, True, True, True]))\n"
+    )
+    said = run_in(tmp_path / "bundle", code)
+    assert "A line needs two inliers" in said
+    assert "2 of 2 points" in said
+    assert "Q1.1 recorded" in said
+
+
+def test_an_unknown_chapter_is_refused(course: Course, tmp_path: Path):
+    with pytest.raises(UsageError, match="no chapter 'cooking'"):
+        release(course, tmp_path / "bundle", ["cooking"])
+
+
+# In use
+
+
+def run_in(bundle: Path, code: str) -> str:
+    """What a kernel in the bundle's notebooks would print."""
+    environment = {
+        name: value for name, value in os.environ.items() if not name.startswith("AUTOGRADER")
+    }
+    done = subprocess.run(
+        [sys.executable, "-c", code],
+        cwd=bundle / "notebooks",
+        env={**environment, "PYTHONPATH": str(bundle)},
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    return done.stdout
+
+
+def test_what_is_submitted_there_is_marked_here_as_it_was_meant(orchard: Course, tmp_path: Path):
+    """All right, by the bundle's own code: the grader agrees in every point."""
+    from autograder.grading import grade_contents
+    from autograder.marker import Marker
+    from autograder.sandbox.launcher import Sandbox
+    from autograder.submissions import Submission, read_submission
+
+    release(orchard, tmp_path / "bundle")
+    cells = [
+        "from autograder import ask, check, progress, submit",
+        'ask("Q1").respond([False, True])',
+        'trees = 3 * 4\ncheck("Q2", trees)',
+        "import sympy as sp\nw, l = sp.symbols('w l')",
+        "hedge = 2 * w + 2 * l\nprint(check('Q3', hedge))",
+        "def heaviest(weights):\n    return max(weights)\nprint(check('Q4', heaviest))",
+        "print(submit())",
+    ]
+    (tmp_path / "bundle/notebooks/1_orchard.ipynb").write_text(notebook(cells[:-1]))
+    said = run_in(tmp_path / "bundle", "\n".join(cells))
+    assert "Q3 right" in said
+    assert "Q4 right" in said
+    assert "All 4 questions are answered" in said
+    contents = read_submission(
+        Submission("ada", tmp_path / "bundle/notebooks/submission.zip"), orchard.settings
+    )
+    with Sandbox(orchard, "none") as sandbox:
+        marks = grade_contents(contents, Marker(orchard, 1), sandbox)
+    assert [mark.status for mark in marks] == ["right"] * 4

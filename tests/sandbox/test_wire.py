@@ -1,0 +1,215 @@
+"""The wire: what goes in comes out, and nothing else gets through or runs."""
+
+import ast
+import contextlib
+import io
+import json
+import struct
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from hypothesis.extra import numpy as hnp
+
+from autograder.sandbox import wire
+from autograder.sandbox.replies import clean_evaluation, clean_report, clean_text
+from autograder.sandbox.wire import HEADER, WireError, encode, read_message
+
+PACKAGE = Path(wire.__file__).parents[1]
+
+
+def read(data: bytes, **caps: int):
+    stream = io.BytesIO(data)
+
+    def read_exactly(count: int) -> bytes:
+        part = stream.read(count)
+        if len(part) < count:
+            raise EOFError
+        return part
+
+    return read_message(read_exactly, **caps)
+
+
+def frame(text: bytes, raw: bytes = b"") -> bytes:
+    return HEADER.pack(len(text), len(raw)) + text + raw
+
+
+_plain = st.recursive(
+    st.none()
+    | st.booleans()
+    | st.integers(-(10**30), 10**30)
+    | st.floats(allow_nan=False)
+    | st.text(max_size=8)
+    | st.complex_numbers(allow_nan=False)
+    | hnp.arrays(st.sampled_from([np.float64, np.int32, np.bool_, np.complex128]), (2, 3)),
+    lambda inner: (
+        st.lists(inner, max_size=3)
+        | st.dictionaries(st.text(max_size=3) | st.just("~"), inner, max_size=3)
+    ),
+    max_leaves=12,
+)
+
+
+def same(a, b) -> bool:
+    if isinstance(a, np.ndarray):
+        return (
+            isinstance(b, np.ndarray)
+            and a.dtype == b.dtype
+            and np.array_equal(a, b, equal_nan=a.dtype.kind in "fc")
+        )
+    if isinstance(a, list):
+        return isinstance(b, list) and len(a) == len(b) and all(map(same, a, b))
+    if isinstance(a, dict):
+        return isinstance(b, dict) and a.keys() == b.keys() and all(same(a[k], b[k]) for k in a)
+    return type(a) is type(b) and a == b
+
+
+@settings(max_examples=150, deadline=None)
+@given(_plain)
+def test_plain_data_comes_out_as_it_went_in(value):
+    assert same(read(encode(value)), value)
+
+
+@settings(max_examples=300, deadline=None)
+@given(st.binary(max_size=120))
+def test_any_bytes_are_a_message_or_refused(data):
+    with contextlib.suppress(WireError, EOFError):
+        read(data, max_json=1000, max_arrays=1000)
+
+
+_json = st.recursive(
+    st.none() | st.booleans() | st.integers() | st.floats() | st.text(max_size=4)
+    | st.sampled_from(["<f8", "|O", "<U4", "complex", "array", "dict", "|b1", "(9,9)f8", "f4,f4"]),
+    lambda inner: st.lists(inner, max_size=4)
+    | st.dictionaries(
+        st.sampled_from(["~", "body", "arrays", "items", "at", "re", "im"]), inner, max_size=4
+    ),
+    max_leaves=20,
+)  # fmt: skip
+
+
+@settings(max_examples=300, deadline=None)
+@given(_json, _json, st.binary(max_size=40))
+def test_any_json_in_a_frame_is_a_message_or_refused(body, table, raw):
+    for message in (body, {"body": body, "arrays": table}, {"body": body, "arrays": [table]}):
+        with contextlib.suppress(WireError):
+            read(frame(json.dumps(message).encode(), raw))
+
+
+@settings(max_examples=200, deadline=None)
+@given(st.integers(0, 2**16), st.integers(0, 255), _plain)
+def test_a_message_with_a_byte_changed_is_a_message_or_refused(position, byte, value):
+    data = bytearray(encode(value))
+    data[position % len(data)] = byte
+    with contextlib.suppress(WireError, EOFError):
+        read(bytes(data), max_json=10**6, max_arrays=10**6)
+
+
+@settings(max_examples=300, deadline=None)
+@given(_json)
+def test_whatever_a_message_says_the_rest_of_the_grader_gets_clean_data(value):
+    report = clean_report(value, 2)
+    assert len(report["errors"]) == 2
+    json.dumps(report, allow_nan=False).encode()
+    assert clean_evaluation(value)["state"] in ("given", "raised", "unusable", "not attempted")
+
+
+def test_a_claim_beyond_the_cap_is_refused_before_memory_is_taken():
+    asked: list[int] = []
+
+    def read_exactly(count: int) -> bytes:
+        asked.append(count)
+        return struct.pack(">IQ", 2**32 - 1, 2**60)
+
+    with pytest.raises(WireError, match="larger than the cap"):
+        read_message(read_exactly)
+    assert asked == [HEADER.size]
+
+
+@pytest.mark.parametrize(
+    ("code", "shape", "raw"),
+    [
+        ("|O", [1], b"x" * 8),  # pickled objects
+        ("<U4", [1], b"x" * 16),
+        ("|V8", [1], b"x" * 8),
+        ("<M8[s]", [1], b"x" * 8),
+        ("<f16", [1], b"x" * 16),
+        ("f8,f8", [1], b"x" * 16),
+        ("(1000,1000)f8", [1], b"x" * 8),
+        ("<f8", [2**40], b""),
+        ("<f8", [-1], b"x" * 8),
+        ("<f8", [1.0], b"x" * 8),
+        ("<f8", [True], b"x" * 8),
+        ("<f8", [0] * 40, b""),
+        ("<f8", [1], b"x" * 7),
+        ("<f8", [1], b"x" * 9),
+        ("<f8", "11", b"x" * 8),
+        (["<f8"], [1], b"x" * 8),
+    ],
+)
+def test_only_arrays_of_numbers_that_fit_their_bytes_get_through(code, shape, raw):
+    text = json.dumps({"body": {"~": "array", "at": 0}, "arrays": [[code, shape]]}).encode()
+    with pytest.raises(WireError):
+        read(frame(text, raw))
+
+
+def test_a_truth_value_that_is_neither_0_nor_1_becomes_true():
+    text = json.dumps({"body": {"~": "array", "at": 0}, "arrays": [["|b1", [3]]]}).encode()
+    assert read(frame(text, b"\x00\x01\xff")).tolist() == [False, True, True]
+
+
+@pytest.mark.parametrize("text", ["[" * 100_000, "9" * 5000, "[" * 500 + "]" * 500, "\ud800", "{"])
+def test_json_made_to_break_a_parser_is_refused(text):
+    with pytest.raises(WireError):
+        read(frame(text.encode("utf-8", "surrogatepass")))
+
+
+def repr_of(value: object) -> str:
+    return type(value).__name__
+
+
+@pytest.mark.parametrize(
+    "value",
+    [object(), print, {1: 2}, np.array([object()]), np.array(["a"]), 10**5000, b"bytes", {1, 2}],
+    ids=repr_of,
+)
+def test_what_is_not_plain_is_not_sent(value):
+    with pytest.raises(WireError):
+        encode(value)
+
+
+def test_a_text_for_reports_has_no_control_characters():
+    assert clean_text("a\x1b[31m\ud800\u202e\nb") == "a [31m b"
+    assert clean_text(7) == ""
+
+
+# Where text of a student could be run: on the trusted side these names do not occur at all.
+DANGEROUS = {"eval", "exec", "compile", "sympify", "parse_expr", "S", "loads_pickle"}
+DANGEROUS_MODULES = {"pickle", "marshal", "shelve", "dill", "cloudpickle", "joblib"}
+UNTRUSTED_SIDE = {"notebook.py", "serve.py", "evaluate.py", "expression_values.py", "warm.py",
+                  "worker.py", "tiers.py"}  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    # What runs in a student's own notebook is not the trusted side.
+    "path",
+    sorted(path for path in PACKAGE.rglob("*.py") if "student" not in path.parts),
+    ids=lambda path: str(path.relative_to(PACKAGE)),
+)
+def test_nothing_on_the_trusted_side_runs_text_or_unpickles(path):
+    tree = ast.parse(path.read_text())
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import | ast.ImportFrom):
+            names = {alias.name.partition(".")[0] for alias in node.names}
+            names.add((getattr(node, "module", "") or "").partition(".")[0])
+            assert not names & DANGEROUS_MODULES
+        if isinstance(node, ast.Call) and path.name not in UNTRUSTED_SIDE:
+            called = node.func
+            name = called.id if isinstance(called, ast.Name) else getattr(called, "attr", "")
+            is_regex = isinstance(called, ast.Attribute) and name == "compile"
+            assert is_regex or name not in DANGEROUS, f"line {node.lineno}: {name}"
+            for keyword in node.keywords:
+                if keyword.arg == "allow_pickle":
+                    assert getattr(keyword.value, "value", True) is False
