@@ -225,5 +225,6 @@ def _try_to_get_out(host: Host, course: Course) -> dict[str, bool]:
         understood = answer["reply"]["understood"]
         untouched = Path(canary.name).read_text() == "secret"
     results = {name: understood.get(name) in expected for name, (expected, _) in TRIALS.items()}
-    results["write_a_file"] = results["write_a_file"] and untouched
+    # What the attempt saw does not count: a file of that name in a private /tmp harms nobody.
+    results["write_a_file"] = untouched
     return results

@@ -13,11 +13,12 @@ import time
 from pathlib import Path
 from typing import Any
 
-from playwright.sync_api import Locator, Page
+from playwright.sync_api import Locator, Page, expect
 
 ROOT = Path(__file__).parents[2]
 COURSE = ("notebooks", "solutions", "data", "pyproject.toml")
 SECONDS = 60.0
+SECONDS_TO_RUN = 240.0  # a whole chapter, on a machine that is busy with other tests
 
 
 class Server:
@@ -124,8 +125,13 @@ class Notebook:
         self.command("notebook:run-all-cells")
         self._wait(
             "cells.every(cell => cell.type !== 'code' || !cell.sharedModel.source.trim()"
-            " || cell.executionCount !== null) && kernel.status === 'idle'"
+            " || cell.executionCount !== null) && kernel.status === 'idle'",
+            seconds=SECONDS_TO_RUN,
         )
+
+    def wait_for_widgets(self) -> None:
+        """Wait until every widget has heard from the kernel: their controls are off before."""
+        expect(self.page.locator(".autograder .ag-controls:disabled")).to_have_count(0)
 
     def run_cell(self, index: int) -> None:
         """Run one cell and wait until it is done."""
@@ -178,11 +184,11 @@ class Notebook:
         """The value of JavaScript that may use `panel`, `kernel` and `cells`."""
         return self.page.evaluate(f"() => {{ {_NAMES} return {expression}; }}")
 
-    def _wait(self, condition: str, with_kernel: bool = True) -> None:
+    def _wait(self, condition: str, with_kernel: bool = True, seconds: float = SECONDS) -> None:
         needed = "panel && kernel" if with_kernel else "panel"
         self.page.wait_for_function(
             f"() => {{ {_NAMES} return Boolean({needed} && ({condition})); }}",
-            timeout=SECONDS * 1000,
+            timeout=seconds * 1000,
         )
 
     def question(self, id: str) -> Locator:

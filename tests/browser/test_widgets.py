@@ -57,6 +57,7 @@ def sheet(opened: Notebook) -> Notebook:
     """The notebook, run from the top, with nothing answered."""
     forget_answers(opened.server)
     opened.run_all()
+    opened.wait_for_widgets()
     return opened
 
 
@@ -433,6 +434,7 @@ def test_the_explorer_of_the_polar_line_shows_the_cost_of_the_line_that_is_dragg
     angle.fill("0")
     # By hand: the squares of 1, 1 and 1.1 add up to 3.21.
     expect(explorer.locator(".ex-result")).to_contain_text("S = 3.21 m²")
+    explorer.locator(".ex-scene").scroll_into_view_if_needed()
     handle = explorer.locator(".ex-handle").bounding_box()
     x, y = handle["x"] + handle["width"] / 2, handle["y"] + handle["height"] / 2
     sheet.page.mouse.move(x, y)
