@@ -58,16 +58,28 @@ def installed_solutions() -> list[Path]:
 
 
 def leave_out(folders: list[Path], hidden: list[Path]) -> list[Path]:
-    """The same folders in pieces, so that the hidden ones are in none of them."""
-    pieces: list[Path] = []
-    for folder in folders:
-        if folder in hidden:
-            continue
+    """The same folders in pieces, so that the hidden ones are in none of them.
+
+    A folder that is given stays even inside a hidden one: an environment in the course's folder.
+    """
+    hidden = [path.resolve() for path in hidden]
+    pieces: set[Path] = set()
+
+    def take(folder: Path) -> None:
         if any(folder in path.parents for path in hidden):
-            pieces += leave_out(sorted(folder.iterdir()), hidden)
-        else:
-            pieces.append(folder)
-    return pieces
+            for entry in folder.iterdir():
+                inside = entry.resolve()  # a link stands for what it leads to
+                if not any(path == inside or path in inside.parents for path in nearest(folder)):
+                    take(inside)
+        elif folder not in hidden:
+            pieces.add(folder)
+
+    def nearest(folder: Path) -> list[Path]:
+        return [path for path in hidden if path not in (folder, *folder.parents)]
+
+    for folder in folders:
+        take(folder.resolve())
+    return sorted(pieces)
 
 
 def command(

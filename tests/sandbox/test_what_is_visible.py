@@ -9,10 +9,20 @@ from autograder.sandbox import bubblewrap
 def test_a_folder_is_given_in_pieces_if_something_in_it_is_to_be_hidden(tmp_path):
     for name in ("lib/site/numpy", "lib/site/solutions/answers", "lib/site/data", "bin"):
         (tmp_path / name).mkdir(parents=True)
+    (tmp_path / "lib64").symlink_to("lib")  # as in many environments
     hidden = [tmp_path / "lib/site/solutions"]
     pieces = bubblewrap.leave_out([tmp_path], hidden)
     assert pieces == [tmp_path / "bin", tmp_path / "lib/site/data", tmp_path / "lib/site/numpy"]
     assert bubblewrap.leave_out([tmp_path / "bin"], hidden) == [tmp_path / "bin"]
+
+
+def test_an_environment_in_the_hidden_course_is_given_without_its_solutions(tmp_path):
+    for name in ("course/.venv/lib/solutions", "course/.venv/lib/numpy", "course/solutions"):
+        (tmp_path / name).mkdir(parents=True)
+    course = tmp_path / "course"
+    hidden = [course, course / ".venv/lib/solutions"]
+    assert bubblewrap.leave_out([course / ".venv"], hidden) == [course / ".venv/lib/numpy"]
+    assert bubblewrap.leave_out([tmp_path], hidden) == []
 
 
 def test_solutions_that_were_installed_with_the_course_are_covered(tmp_path, monkeypatch):
