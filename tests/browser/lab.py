@@ -145,11 +145,8 @@ class Notebook:
 
     def index_of(self, source: str) -> int:
         """The index of the first code cell whose source contains the text."""
-        return int(
-            self.evaluate(
-                f"cells.findIndex(cell => cell.type === 'code' && cell.sharedModel.source.includes({json.dumps(source)}))"
-            )
-        )
+        found = f"cell.type === 'code' && cell.sharedModel.source.includes({json.dumps(source)})"
+        return int(self.evaluate(f"cells.findIndex(cell => {found})"))
 
     def write(self, index: int, source: str) -> None:
         """Replace the source of a cell."""
