@@ -75,8 +75,8 @@ class Answer:
     id: str
     explanation: str
     code: str
-    snapshot: bool
     alternatives: tuple[Any, ...]
+    snapshot: bool = field(default=True, kw_only=True)
 
 
 @dataclass(frozen=True)

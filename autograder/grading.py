@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import time
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from contextlib import ExitStack
 from dataclasses import dataclass, replace
@@ -15,7 +15,7 @@ from autograder.course import Chapter, Course
 from autograder.marker import Marker
 from autograder.marking import Mark, not_attempted, stopped
 from autograder.questions import Order, Question, TrueFalse
-from autograder.sandbox.launcher import Isolation, Sandbox, Session, Stopped, open_sandboxes
+from autograder.sandbox.launcher import Isolation, Sandbox, Session, Stopped
 from autograder.student.typed import typed_cell
 from autograder.submissions import Contents, Notebook, Submission, Unreadable, read_submission
 
@@ -42,7 +42,7 @@ class Graded:
 
 
 def grade_all(
-    submissions: Iterable[Submission],
+    submissions: Sequence[Submission],
     marker: Marker,
     jobs: int,
     done: Callable[[Graded], None],
@@ -50,7 +50,7 @@ def grade_all(
     known: Callable[[str, str], Graded | None] | None = None,
     isolation: Isolation = "auto",
 ) -> None:
-    """Grade submissions on ``jobs`` sandboxes at once and call ``done`` with each, as it is ready.
+    """Grade submissions on up to ``jobs`` sandboxes at once; call ``done`` with each that is ready.
 
     ``done`` is called on the calling thread, and so is ``known``, which returns what the work of a
     student with some fingerprint was graded before: it is not run again. Only ``questions`` are
@@ -61,24 +61,29 @@ def grade_all(
     """
     # In this order: leaving early ends the sandboxes first, so that no task goes on waiting.
     with ThreadPoolExecutor(jobs) as pool, ExitStack() as stack:
-        idle: SimpleQueue[Sandbox] = SimpleQueue()
-        ready: Future[None] | None = None
+        slots = _Slots(marker, jobs, isolation, stack)
 
         def grade(submission: Submission, contents: Contents) -> Graded:
-            slot = idle.get()
+            slot = slots.idle.get()
             began = time.monotonic()
             try:
                 marks = grade_contents(contents, marker, slot, questions)
             finally:
-                idle.put(slot)
+                slots.idle.put(slot)
             seconds = time.monotonic() - began
             fingerprint, notes = contents.fingerprint, tuple(contents.notes)
             return Graded(submission, "graded", fingerprint, tuple(marks), notes, seconds)
 
+        def report(graded: Graded) -> None:
+            done(graded)
+            slots.grow(graded.seconds, waiting)
+
         names = [chapter.name for chapter in marker.course.chapters]
         tasks: set[Future[Graded]] = set()
+        waiting = len(submissions)
         try:
             for submission in submissions:
+                waiting -= 1
                 try:
                     contents = read_submission(submission, marker.course.settings, names)
                 except Unreadable as unreadable:
@@ -88,21 +93,52 @@ def grade_all(
                 if before is not None:
                     done(before)
                     continue
-                if ready is None:  # only now is there something to run
+                if slots.count == 0:  # only now is there something to run
                     ready = pool.submit(marker.prepare, questions)
-                    for slot in open_sandboxes(marker.course, jobs, isolation, marker.seed):
-                        # On this thread: a sandbox ends with the thread that started it.
-                        idle.put(stack.enter_context(slot))
+                    slots.add()
                     ready.result()
                 tasks.add(pool.submit(grade, submission, contents))
-                if len(tasks) > 2 * jobs:  # so that memory does not grow with the class
-                    tasks = _report_finished(tasks, done)
+                if len(tasks) > 2 * slots.count:  # so that memory does not grow with the class
+                    tasks = _report_finished(tasks, report)
             while tasks:
-                tasks = _report_finished(tasks, done)
+                tasks = _report_finished(tasks, report)
         except BaseException:
             for task in tasks:
                 task.cancel()
             raise
+
+
+class _Slots:
+    """The sandboxes of a run: one at first, and another whenever it saves more than it costs.
+
+    Add one on the thread on which the run began: a sandbox ends with the thread that started it.
+    """
+
+    def __init__(self, marker: Marker, most: int, isolation: Isolation, until: ExitStack) -> None:
+        self._marker, self._most, self._isolation, self._until = marker, most, isolation, until
+        self._seconds: list[float] = []
+        self.idle: SimpleQueue[Sandbox] = SimpleQueue()
+        self.count = 0
+
+    def add(self) -> None:
+        """Open one more."""
+        sandbox = Sandbox(self._marker.course, self._isolation, self._marker.seed)
+        self.idle.put(self._until.enter_context(sandbox))
+        self._start_seconds = sandbox.start_seconds
+        self.count += 1
+
+    def grow(self, seconds: float, waiting: int) -> None:
+        """Open more if the submissions that wait are, at the pace so far, worth it.
+
+        ``seconds`` is what the last submission took.
+        """
+        self._seconds.append(seconds)
+        each = sum(self._seconds) / len(self._seconds)
+        while self.count < self._most:
+            saved = waiting * each / (self.count * (self.count + 1))
+            if saved < self._start_seconds:
+                return
+            self.add()
 
 
 def _report_finished(

@@ -169,6 +169,19 @@ def large_class(folder: Path, students: int) -> tuple[Cost, list[int]]:
     return Cost(cpu, wall), [samples[len(samples) * tenth // 10] for tenth in range(10)]
 
 
+def large_class_text(folder: Path, students: int) -> str:
+    """Grade a large class and say what it took."""
+    cost, memory = large_class(folder, students)
+    shown = ", ".join(f"{sample / 2**20:.0f}" for sample in memory)
+    text = (
+        f"## {students} submissions in one run\n\n"
+        f"{cost.wall:.0f} s, {cost.cpu / students:.3f} CPU-seconds a submission. "
+        f"The grader's memory at ten moments on the way: {shown} MB."
+    )
+    print(text, file=sys.stderr)
+    return text
+
+
 def _resident(process: int) -> int:
     try:
         return int(Path(f"/proc/{process}/statm").read_text().split()[1]) * 4096
@@ -243,30 +256,21 @@ def main() -> int:
             grader.write(folder / grader.name, students)
             for command in grader.prepare:
                 grader.run(command, folder / grader.name)
-        for round in range(arguments.rounds):
+        write_course(folder / "one", 1)
+        alone = median([own().time(folder / "one", folder / "copy", 1) for _ in range(3)])
+        print(f"a class of one: {alone.cpu:.2f} CPU-s, {alone.wall:.2f} s", file=sys.stderr)
+        large = large_class_text(folder, arguments.large) if arguments.large else ""
+        for round in range(1, arguments.rounds + 1):
             for grader in graders:
                 cost = grader.time(folder / grader.name, folder / "copy", students)
                 grader.costs.append(cost)
                 print(
-                    f"round {round + 1}, {grader.name}: {cost.cpu / students:.3f} CPU-s and "
+                    f"round {round}, {grader.name}: {cost.cpu / students:.3f} CPU-s and "
                     f"{cost.wall / students:.3f} s a submission",
                     file=sys.stderr,
                 )
-        write_course(folder / "one", 1)
-        alone = median([own().time(folder / "one", folder / "copy", 1) for _ in range(3)])
-        print(f"a class of one: {alone.cpu:.2f} CPU-s, {alone.wall:.2f} s", file=sys.stderr)
-        large = ""
-        if arguments.large:
-            cost, memory = large_class(folder, arguments.large)
-            shown = ", ".join(f"{sample / 2**20:.0f}" for sample in memory)
-            large = (
-                f"## {arguments.large} submissions in one run\n\n"
-                f"{cost.wall:.0f} s, {cost.cpu / arguments.large:.3f} CPU-seconds a submission. "
-                f"The grader's memory at ten moments on the way: {shown} MB."
-            )
-            print(large, file=sys.stderr)
-        if not arguments.own:
-            arguments.out.write_text(report(students, arguments.rounds, graders, alone, large))
+            if not arguments.own:  # after each round, so that a run cut short leaves a page too
+                arguments.out.write_text(report(students, round, graders, alone, large))
         shutil.rmtree(folder / "copy", ignore_errors=True)
     return 0
 

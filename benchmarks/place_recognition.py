@@ -218,6 +218,7 @@ def _growth(missing: list[str]) -> tuple[list[Row], list[Curve]]:
         size = int(result["images"])
         times[OURS][size] = result["tf-idf"]
         extra: dict[str, float | str] = {
+            "processor time": f"{1e3 * result['processor tf-idf']:.3g} ms",
             "slowest": f"{1e3 * result['slowest tf-idf']:.3g} ms",
             "votes": f"{1e3 * result['votes']:.3g} ms",
             "peak memory": f"{result['peak'] / 1e9:.2f} GB",

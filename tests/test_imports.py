@@ -53,9 +53,13 @@ def test_a_package_imports_nothing_of_ours_but_itself(folder):
 
 
 def test_pictures_import_nothing_of_ours_but_data_and_themselves():
-    for path in (ROOT / "notebooks").rglob("*.py"):
-        if "source" not in path.parts:
-            assert our_packages(path) <= {"data", "notebooks"}, path
+    for path in sources("notebooks/figures"):
+        assert our_packages(path) <= {"data", "notebooks"}, path
+
+
+def test_explorers_import_nothing_of_ours_but_the_engine_that_shows_them():
+    for path in sources("notebooks/explorers"):
+        assert our_packages(path) <= {"autograder", "data", "notebooks"}, path
 
 
 def test_masters_import_the_autograder_data_and_pictures_only():

@@ -41,7 +41,7 @@ def grade_and_report(
     before = {record.student: record for record in book.records()}
     isolation: Isolation = "none" if parsed.no_sandbox else "auto"
     jobs = min(parsed.jobs, len(submissions))
-    run = _choose_run(parsed, course, book, regrade, isolation, jobs)
+    run = _choose_run(parsed, course, book, regrade, isolation)
     marker = Marker(course, run.seed)
     known = None
     if questions is None and not parsed.dry_run:
@@ -107,7 +107,6 @@ def _choose_run(
     book: Gradebook,
     regrade: bool,
     isolation: Isolation,
-    jobs: int,
 ) -> Run:
     """The last run goes on, unless the key, the seed or the wish to regrade asks for a new one.
 
@@ -124,7 +123,7 @@ def _choose_run(
     same_key = last is not None and (last.course_version, last.seed) == (course.version, seed)
     if last and same_key and not regrade and (last.isolation == NO_SANDBOX) == parsed.no_sandbox:
         return last
-    return book.begin_run(course.version, seed, isolation_text(course, isolation, jobs))
+    return book.begin_run(course.version, seed, isolation_text(course, isolation))
 
 
 def _tell_dry_run(

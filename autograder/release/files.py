@@ -40,6 +40,8 @@ def student_files(course: Course) -> Iterator[tuple[PurePosixPath, Path]]:
 def grader_files(course: Course) -> Iterator[tuple[PurePosixPath, Path]]:
     """What grading needs: the same, and the key with its references."""
     yield from student_files(course)
+    # The masters' numbers give the chapters their order.
+    yield from _in(course, "notebooks/source", frozenset({".py"}))
     yield from _in(course, str(ANSWERS), frozenset({".toml"}))
     for path in _under(course.root / "solutions", frozenset({".py"})):
         yield _name(course, path), path

@@ -49,6 +49,27 @@ def interpreter_folders() -> list[Path]:
     ]
 
 
+def installed_solutions() -> list[Path]:
+    """Copies of a package ``solutions`` among the libraries, if the course is installed."""
+    entries = {*site.getsitepackages(), *(entry for entry in sys.path if entry)}
+    return sorted(
+        Path(entry) / "solutions" for entry in entries if (Path(entry) / "solutions").is_dir()
+    )
+
+
+def leave_out(folders: list[Path], hidden: list[Path]) -> list[Path]:
+    """The same folders in pieces, so that the hidden ones are in none of them."""
+    pieces: list[Path] = []
+    for folder in folders:
+        if folder in hidden:
+            continue
+        if any(folder in path.parents for path in hidden):
+            pieces += leave_out(sorted(folder.iterdir()), hidden)
+        else:
+            pieces.append(folder)
+    return pieces
+
+
 def command(
     program: str,
     *,
@@ -113,10 +134,9 @@ def _hidden(root: Path, visible: list[Path]) -> list[str]:
         for folder in visible:
             if root in folder.parents:
                 line += ["--ro-bind", str(folder), str(folder)]
-    for entry in {*site.getsitepackages(), *sys.path}:
-        solutions = Path(entry) / "solutions"
+    for solutions in installed_solutions():
         inside = any(folder in solutions.parents for folder in visible) or _is_system(solutions)
-        if entry and solutions.is_dir() and inside and root not in solutions.parents:
+        if inside and root not in solutions.parents:
             line += ["--tmpfs", str(solutions)]
     return line
 

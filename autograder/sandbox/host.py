@@ -22,6 +22,7 @@ from autograder.errors import AutograderError
 from autograder.sandbox import bubblewrap, landlock, seccomp
 from autograder.sandbox.channel import Channel
 
+_SYSTEM_FILES = ("/etc/ld.so.cache", "/etc/localtime")
 _PACKAGE = Path(autograder.__file__).parent
 _WARM_SECONDS = 120.0
 _ANSWER_SECONDS = 15.0
@@ -207,14 +208,12 @@ class Host:
             os.chmod(self._folder, 0o711)
             os.chown(scratch, self._identity, self._identity)
         needed = [*bubblewrap.interpreter_folders(), _PACKAGE, (root / "data").resolve()]
-        system = ["/usr", "/lib", "/lib64", "/nix/store", "/etc/ld.so.cache", "/etc/localtime"]
+        system = [Path(name) for name in ("/usr", "/lib", "/lib64", "/nix/store", *_SYSTEM_FILES)]
+        hidden = [root.resolve(), *bubblewrap.installed_solutions()]
+        readable = bubblewrap.leave_out([*system, *bubblewrap.interpreter_folders()], hidden)
         set_up = {
             "scratch": str(scratch),
-            "readable": [
-                *system,
-                str(course),
-                *(str(folder) for folder in needed),
-            ],
+            "readable": [str(folder) for folder in (course, *readable, *needed[-2:])],
             "notebooks": str(course / "notebooks"),
             "alone": False,
             # An interpreter in root's home folder is closed to any other user.

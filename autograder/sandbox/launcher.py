@@ -21,7 +21,6 @@ __all__ = [
     "Session",
     "Stopped",
     "isolation_text",
-    "open_sandboxes",
 ]
 
 Isolation = Literal["auto", "bubblewrap", "reduced", "none"]
@@ -49,6 +48,7 @@ class Sandbox:
     """
 
     isolation: str = NO_SANDBOX
+    start_seconds = 0.0  # how long starting one takes on this machine
 
     def __init__(self, course: Course, isolation: Isolation = "auto", seed: int = 0) -> None:
         self._course = course
@@ -62,8 +62,9 @@ class Sandbox:
 
     def __enter__(self) -> Sandbox:
         if not self._plain:
-            self._tier = _tier(self._course, self._wanted, 1)
+            self._tier = _tier(self._course, self._wanted)
             self.isolation = self._tier.text
+            self.start_seconds = self._tier.seconds
             self._host = self._tier.take_started() or self._tier.start()
         return self
 
@@ -99,29 +100,16 @@ class Sandbox:
         return self._host
 
 
-def open_sandboxes(
-    course: Course, count: int, isolation: Isolation = "auto", seed: int = 0
-) -> list[Sandbox]:
-    """So many sandboxes, to be entered one by one; they start at the same time.
+def isolation_text(course: Course, isolation: Isolation = "auto") -> str:
+    """What will keep student code in, for reports.
 
     Raises:
         SandboxError: if no isolation works here.
     """
-    if isolation != "none":
-        _tier(course, isolation, count)
-    return [Sandbox(course, isolation, seed) for _ in range(count)]
+    return NO_SANDBOX if isolation == "none" else str(_tier(course, isolation).text)
 
 
-def isolation_text(course: Course, isolation: Isolation = "auto", slots: int = 1) -> str:
-    """What will keep student code in, for reports; ``slots`` sandboxes are started on the way.
-
-    Raises:
-        SandboxError: if no isolation works here.
-    """
-    return NO_SANDBOX if isolation == "none" else str(_tier(course, isolation, slots).text)
-
-
-def _tier(course: Course, isolation: Isolation, slots: int) -> Any:
+def _tier(course: Course, isolation: Isolation) -> Any:
     if sys.platform != "linux":
         raise SandboxError(
             "Submissions can be kept in only on Linux (on Windows use WSL, on a Mac a Linux "
@@ -129,4 +117,4 @@ def _tier(course: Course, isolation: Isolation, slots: int) -> Any:
         )
     from autograder.sandbox.tiers import best_tier
 
-    return best_tier(course, isolation, slots)
+    return best_tier(course, isolation)

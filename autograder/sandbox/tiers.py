@@ -83,6 +83,7 @@ class Tier:
     text: str = ""
     results: dict[str, bool] = field(default_factory=dict)
     problem: str = ""
+    seconds: float = 0.0  # how long the trial took, most of it starting
     _started: list[Host] = field(default_factory=list)
 
     def start(self) -> Host:
@@ -97,11 +98,11 @@ class Tier:
         """A host that was started for the trial and has no use yet."""
         return self._started.pop() if self._started else None
 
-    def try_out(self, slots: int = 1) -> bool:
-        """Start as many hosts as will be needed and let student code try to get out of one."""
+    def try_out(self) -> bool:
+        """Start a host and let student code try to get out of it."""
+        began = time.monotonic()
         try:
-            for _ in range(slots):  # all at once, because starting is mostly importing
-                self._started.append(self.start())
+            self._started.append(self.start())
             self.results = _try_to_get_out(self._started[-1], self.course)
         except (HostError, OSError, EOFError, Late, WireError) as error:
             self.problem = str(error) or "the trial did not end"
@@ -112,6 +113,7 @@ class Tier:
             self.stop_unused()
             return False
         self.text = describe(self.with_namespaces)
+        self.seconds = time.monotonic() - began
         return True
 
     def stop_unused(self) -> None:
@@ -148,10 +150,8 @@ _best: dict[tuple[Path, str], Tier] = {}
 _lock = Lock()
 
 
-def best_tier(course: Course, wanted: str = "auto", slots: int = 1) -> Tier:
+def best_tier(course: Course, wanted: str = "auto") -> Tier:
     """The best kind that works here, or the one that is wanted; tried once a process and course.
-
-    At the trial so many hosts are started as there will be ``slots``.
 
     Raises:
         SandboxError: if none works; the sentence says why and what to do.
@@ -164,7 +164,7 @@ def best_tier(course: Course, wanted: str = "auto", slots: int = 1) -> Tier:
         for tier in tiers(course):
             if wanted not in ("auto", tier.name):
                 continue
-            if tier.try_out(slots):
+            if tier.try_out():
                 atexit.register(tier.stop_unused)
                 _best[course.root, wanted] = tier
                 return tier
@@ -225,5 +225,6 @@ def _try_to_get_out(host: Host, course: Course) -> dict[str, bool]:
         understood = answer["reply"]["understood"]
         untouched = Path(canary.name).read_text() == "secret"
     results = {name: understood.get(name) in expected for name, (expected, _) in TRIALS.items()}
-    results["write_a_file"] = results["write_a_file"] and untouched
+    # What the attempt saw does not count: a file of that name in a private /tmp harms nobody.
+    results["write_a_file"] = untouched
     return results

@@ -18,7 +18,7 @@ from typing import Any
 import pytest
 
 from autograder.classlist import ClassList, Student
-from autograder.course import Course
+from autograder.course import Course, load_course
 from autograder.gradebook import Override, Record
 from autograder.release.gradescope_run import main as grade_in_gradescope
 from autograder.release.gradescope_zip import write_autograder_zip
@@ -220,6 +220,14 @@ def test_the_archive_has_what_gradescope_looks_for_at_its_root(unpacked: Path):
     assert (unpacked / "source/course/solutions/answers/orchard.toml").is_file()
     assert (unpacked / "source/course/pyproject.toml").is_file()
     assert not list((unpacked / "source").rglob("*.ipynb"))
+
+
+def test_the_chapters_keep_their_order_in_the_archive(tmp_path: Path):
+    course = load_course(Path(__file__).parents[2])
+    write_autograder_zip(tmp_path / "autograder.zip", course)
+    with zipfile.ZipFile(tmp_path / "autograder.zip") as archive:
+        archive.extractall(tmp_path)
+    assert list(load_course(tmp_path / "course").questions) == list(course.questions)
 
 
 def test_the_archive_grades_a_submission_as_it_would_there(course: Course, unpacked: Path):

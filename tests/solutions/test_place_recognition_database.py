@@ -60,7 +60,9 @@ def test_votes_and_scores_are_those_of_the_plain_functions_in_whatever_portions(
     assert index.votes(query_words).tolist() == expected.tolist()
     if words_by_image:
         counts = histograms(words_by_image, 9)
-        weights = idf_weights(counts)
+        # The one difference: a word that no image has weighs as if one had it.
+        unseen = counts.sum(axis=0) == 0
+        weights = np.where(unseen, np.log(len(counts)), idf_weights(counts))
         np.testing.assert_allclose(index.weights(), weights, atol=1e-12)
         expected = l1_scores(histograms([query], 9)[0], counts, weights)
         np.testing.assert_allclose(index.scores(query_words), expected, atol=1e-5)
@@ -71,9 +73,10 @@ def test_a_score_by_hand():
     index = InvertedIndex(4)
     index.extend([np.array([0, 1]), np.array([0, 1, 2]), np.array([0])])
     share = np.log(3) / (np.log(1.5) + np.log(3))  # of word 2 in image 1, 0.73
-    # The query has word 1 only, for nobody has word 3: q = (0, 1, 0).
+    # Nobody has word 3, which weighs ln 3 as well: q = (0, 1 - share, 0, share). Images 0 and 1
+    # share word 1 with it: |1 - share - 1| + share, and share + share.
     scores = index.scores(np.array([1, 0, 3]))
-    np.testing.assert_allclose(scores, [0.0, 2 * share, 2.0], atol=1e-6)
+    np.testing.assert_allclose(scores, [2 * share, 2 * share, 2.0], atol=1e-6)
 
 
 def test_parts_are_few_and_images_keep_their_numbers(monkeypatch):
