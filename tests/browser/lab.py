@@ -144,12 +144,9 @@ class Notebook:
         self._wait(f"cells[{index}].executionCount !== null && kernel.status === 'idle'")
 
     def index_of(self, source: str) -> int:
-        """The index of the first cell whose source contains the text."""
-        return int(
-            self.evaluate(
-                f"cells.findIndex(cell => cell.sharedModel.source.includes({json.dumps(source)}))"
-            )
-        )
+        """The index of the first code cell whose source contains the text."""
+        found = f"cell.type === 'code' && cell.sharedModel.source.includes({json.dumps(source)})"
+        return int(self.evaluate(f"cells.findIndex(cell => {found})"))
 
     def write(self, index: int, source: str) -> None:
         """Replace the source of a cell."""
@@ -159,13 +156,14 @@ class Notebook:
             source,
         )
 
-    def append(self, source: str) -> None:
-        """Add a cell at the end."""
+    def append(self, source: str) -> int:
+        """Add a cell at the end; returns its index."""
         self.page.evaluate(
             f"source => {{ {_CURRENT}.content.model.sharedModel.addCell"
             "({cell_type: 'code', source}) }",
             source,
         )
+        return int(self.evaluate("cells.length")) - 1
 
     def sources(self) -> list[str]:
         """The sources of all cells."""

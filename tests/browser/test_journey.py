@@ -78,8 +78,7 @@ def test_a_student_answers_saves_comes_back_hands_in_and_is_graded(
     expect(chapter.question("Q3.2.2").locator(".ag-verdict")).to_contain_text("right")
 
     # Hand in: the panel notices that the cell was not saved.
-    chapter.append("submit()")
-    chapter.run_cell(chapter.index_of("submit()"))
+    chapter.run_cell(chapter.append("submit()"))
     panel = page.get_by_role("group", name="Submission")
     expect(panel).to_contain_text("holds changes that are not saved")
     chapter.save()

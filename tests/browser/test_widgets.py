@@ -113,16 +113,20 @@ def test_a_click_is_answered_within_100_ms(sheet: Notebook):
         for (const radio of root.querySelectorAll("input")) {
             const start = performance.now();
             await new Promise((resolve) => {
-                const seen = new MutationObserver(() => (seen.disconnect(), resolve()));
+                radio.click();  // this empties the line, and the kernel's reply fills it
+                const seen = new MutationObserver(() => {
+                    if (status.textContent === "Kept.") resolve(seen.disconnect());
+                });
                 seen.observe(status, { childList: true });
-                radio.click();
             });
             times.push(performance.now() - start);
         }
         return times;
     }"""
     rounds = [sheet.question("Q1.1").evaluate(measure) for _ in range(3)]
-    assert min(statistics.median(times) for times in rounds) < 100
+    median = min(statistics.median(times) for times in rounds)
+    print(f"a click is answered within {median:.0f} ms")
+    assert median < 100
 
 
 def test_feedback_stands_at_the_statement_and_attempts_are_counted(sheet: Notebook):
