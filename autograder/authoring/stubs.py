@@ -91,6 +91,8 @@ def _heading(question: Question, with_prompt: bool) -> str:
     if isinstance(question, Expression):
         lines += ["", "| symbol | meaning |", "|:--|:--|"]
         lines += [f"| `{name}` | {meaning} |" for name, meaning in question.symbols]
-    for count, hint in enumerate(question.hints, 1):
+    # The widget of any other question gives its hints one at a time.
+    hints = question.hints if isinstance(question, Function) else ()
+    for count, hint in enumerate(hints, 1):
         lines += ["", f"<details><summary>Hint {count}</summary>", "", hint, "", "</details>"]
     return "\n".join(lines)

@@ -18,6 +18,7 @@ import sympy as sp
 import data
 from autograder import ask, check, progress, submit
 from notebooks import figures
+from notebooks.explorers import explore_polar_line
 
 # %% [markdown]
 # Here is one scan from a real robot, in the corridors of MIT's Killian Court. Beam number $i$ has the
@@ -118,6 +119,12 @@ class Line(NamedTuple):
 # %% demo=true
 five = np.array([[1, 2.6], [2, 2.1], [3, 1.9], [4, 0.9], [5, 0.8]])
 figures.squared_distances(five, Line(r=2.0, alpha=math.radians(80)))
+
+# %% [markdown]
+# Or take the line into your hand: drag its round handle, or use the sliders, and watch the cost on the right.
+
+# %% demo=true
+explore_polar_line(five)
 
 # %% [markdown]
 # Squares make the mathematics easy, as you will see, and they have a dark side. A point that is ten

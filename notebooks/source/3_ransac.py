@@ -20,6 +20,7 @@ import sympy as sp
 import data
 from autograder import ask, check, progress, submit
 from notebooks import figures
+from notebooks.explorers import explore_ransac
 
 # %% [markdown]
 # From chapter 2 we need a line, its fit and the distances from it. The fit here is OpenCV's, so that this chapter does
@@ -188,6 +189,13 @@ figures.waiting_times(N, w, 3, plane_iterations, np.random.default_rng(0))
 
 # %% demo=true
 figures.growth(required_iterations, {"a line": 2, "a plane": 3, "two photographs": 8})
+
+# %% [markdown]
+# Play with it. How many more iterations does one more point in the sample cost, when half of the points are inliers, and
+# when three of four are outliers?
+
+# %% demo=true
+explore_ransac()
 
 # %% [markdown]
 # ## What the formula does not promise
