@@ -112,15 +112,15 @@ def test_what_is_not_on_the_list_stays_here(orchard: Course, tmp_path: Path):
     cluttered = copy_course(orchard, tmp_path / "course")
     (cluttered.root / "notebooks/responses").mkdir()
     (cluttered.root / "notebooks/responses/orchard.json").write_text("{}")
-    (cluttered.root / "notebooks/mine.txt").write_text("private")
+    (cluttered.root / "notebooks/mine.txt").write_text("kept to myself")
     (cluttered.root / "grades").mkdir()
-    (cluttered.root / "grades/grades.csv").write_text("private")
+    (cluttered.root / "grades/grades.csv").write_text("kept to myself")
     (cluttered.root / "data").mkdir()
-    (cluttered.root / "data/key.pkl").write_text("private")
-    (cluttered.root / "data/.env").write_text("private")
+    (cluttered.root / "data/key.pkl").write_text("kept to myself")
+    (cluttered.root / "data/.env").write_text("kept to myself")
     (cluttered.root / "data/link.csv").symlink_to(cluttered.root / "grades/grades.csv")
     release(cluttered, tmp_path / "bundle")
-    assert "private" not in everything(tmp_path / "bundle")
+    assert "kept to myself" not in everything(tmp_path / "bundle")
 
 
 def test_a_folder_that_holds_something_is_never_written_to(orchard: Course, tmp_path: Path):

@@ -5,9 +5,9 @@ import time
 
 import numpy as np
 import pytest
+from small_course import NUMBER, asked
 
 from autograder.sandbox.launcher import Stopped
-from conftest import NUMBER, asked
 
 pytestmark = pytest.mark.usefixtures("after_each_a_good_submission_gets_its_marks")
 

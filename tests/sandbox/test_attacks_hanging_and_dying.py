@@ -4,10 +4,10 @@ import time
 from dataclasses import replace
 
 import pytest
+from small_course import NUMBER, asked
 
 from autograder.sandbox.launcher import Stopped
 from autograder.sandbox.session import Session
-from conftest import NUMBER, asked
 
 pytestmark = pytest.mark.usefixtures("after_each_a_good_submission_gets_its_marks_here")
 

@@ -6,8 +6,7 @@ import subprocess
 import sys
 
 import pytest
-
-from conftest import SECRET, tree
+from small_course import SECRET, tree
 
 pytestmark = pytest.mark.usefixtures("after_each_a_good_submission_gets_its_marks")
 

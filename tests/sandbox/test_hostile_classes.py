@@ -5,9 +5,9 @@ import zipfile
 from pathlib import Path
 
 import pytest
+from small_course import tree
 
 from autograder.cli import main
-from conftest import tree
 from tests.classroom import RIGHT, START, hand_in, make_course, notebook
 
 PYPROJECT = """

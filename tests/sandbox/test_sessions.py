@@ -2,9 +2,9 @@
 
 import numpy as np
 import pytest
+from small_course import GOOD, NUMBER, check_good
 
 from autograder.sandbox.launcher import Stopped
-from conftest import GOOD, NUMBER, check_good
 
 
 def test_a_good_notebook_gets_through(sandbox):
