@@ -114,8 +114,9 @@ class Notebook:
 
     def _run_cell(self, cell: str, seconds: float) -> str | None:
         """Run one cell; the class of its error, or None."""
+        watch = _Interrupted(seconds)
         try:
-            with _Interrupted(seconds):
+            with watch:
                 result = self._shell.run_cell(cell, store_history=False)
             error = result.error_before_exec or result.error_in_exec
         except BaseException as escaped:
@@ -123,7 +124,8 @@ class Notebook:
         _close_figures()
         if error is None:
             return None
-        return "timeout" if isinstance(error, CellTimeout) else type(error).__name__
+        # Python may turn the interruption into another error, as in the middle of a fork.
+        return "timeout" if watch.fired else type(error).__name__
 
 
 class _Interrupted:
@@ -131,19 +133,20 @@ class _Interrupted:
 
     def __init__(self, seconds: float) -> None:
         self._seconds = seconds
+        self.fired = False
 
     def __enter__(self) -> None:
         if _CAN_INTERRUPT and self._seconds < math.inf:
-            signal.signal(signal.SIGALRM, _interrupt)
+            signal.signal(signal.SIGALRM, self._interrupt)
             signal.setitimer(signal.ITIMER_REAL, max(self._seconds, 0.001))
 
     def __exit__(self, *exception: object) -> None:
         if _CAN_INTERRUPT and self._seconds < math.inf:
             signal.setitimer(signal.ITIMER_REAL, 0)
 
-
-def _interrupt(number: int, frame: Any) -> None:
-    raise CellTimeout
+    def _interrupt(self, number: int, frame: Any) -> None:
+        self.fired = True
+        raise CellTimeout
 
 
 def _described(response: Any) -> str:

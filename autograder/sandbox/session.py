@@ -39,6 +39,7 @@ class Session:
         self._cells: list[str] = []
         self._stopped_cells: dict[int, Stopped] = {}
         self._restarts_left = MAX_RESTARTS
+        self._begun_anew = False
         self._in_cell: int | None = None
 
     def __enter__(self) -> Session:
@@ -70,17 +71,32 @@ class Session:
         if self._channel is None:
             self._restart()
             self._run([])
+        try:
+            answer = self._ask_to_evaluate(name, probe)
+        except Stopped as stopped:
+            if stopped.status != "killed" or not self._stopped_cells or self._begun_anew:
+                raise
+            # What an interrupted cell left running, such as a fork bomb, may have taken what the
+            # evaluation needed: begin anew without that cell, once.
+            self._begun_anew = True
+            self._close()
+            self._restart()
+            self._run([])
+            answer = self._ask_to_evaluate(name, probe)
+        reply = clean_evaluation(answer["reply"])
+        if reply.get("reason") == "missing":
+            for index, stop in self._stopped_cells.items():
+                if re.search(rf"\b{re.escape(name)}\b", self._cells[index]):
+                    raise Stopped(stop.status, stop.why)
+        return reply
+
+    def _ask_to_evaluate(self, name: str, probe: dict[str, Any]) -> dict[str, Any]:
         seconds = self._settings.question_seconds
         message = {"do": "evaluate", "name": name, "probe": probe, "seconds": seconds}
         answer = self._ask(message, time.monotonic() + seconds + GRACE)
         if "reply" not in answer:
             raise _stop_by(answer.get("ended_by"))
-        reply = clean_evaluation(answer["reply"])
-        if reply.get("reason") == "missing":
-            for index, stopped in self._stopped_cells.items():
-                if re.search(rf"\b{re.escape(name)}\b", self._cells[index]):
-                    raise Stopped(stopped.status, stopped.why)
-        return reply
+        return answer
 
     def _run(self, names: list[str]) -> dict[str, Any]:
         settings = self._settings
