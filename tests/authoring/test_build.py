@@ -71,12 +71,17 @@ def test_the_solved_notebook_differs_in_the_responses_only(built):
     assert solved["Q1-5-response"].endswith("    return total / len(weights)")
 
 
-def test_the_heading_holds_title_points_prompt_symbols_and_hints(built):
+def test_the_heading_holds_title_points_prompt_and_symbols(built):
     heading = cells(built.root / STUDENT)["Q1-4-question"]
     for part in ("### Q1.4 · A tray", "*4 points*", "How long is the rim", "| `a` | one side |"):
         assert part in heading
-    assert "<details><summary>Hint 1</summary>\n\nWalk around it." in heading
     assert "*1 point*" in cells(built.root / "notebooks/2_cellar.ipynb")["Q2-1-question"]
+
+
+def test_hints_stand_in_the_heading_only_where_no_widget_gives_them(built):
+    student = cells(built.root / STUDENT)
+    assert "<details><summary>Hint 1</summary>" in student["Q1-5-question"]  # a function
+    assert "Walk around it." not in student["Q1-4-question"]
 
 
 def test_building_twice_gives_the_same_bytes(built):

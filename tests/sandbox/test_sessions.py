@@ -140,4 +140,7 @@ def test_cells_after_the_notebooks_time_are_not_run(sandbox):
     limits = replace(sandbox._course.settings, notebook_seconds=1, cell_seconds=30)
     with Session(sandbox._take_host, limits, 0) as session:
         report = session.run(["import time", *["time.sleep(0.45)"] * 6, "k = 1"], ["k"])
-    assert report["errors"] == [None, None, None, *["timeout"] * 5]
+    errors = report["errors"]
+    first = errors.index("timeout")
+    assert 1 <= first <= 3  # two sleeps fit into the second; a busy machine fits fewer
+    assert errors == [None] * first + ["timeout"] * (8 - first)
