@@ -25,3 +25,14 @@ def pytest_runtest_setup(item: pytest.Item) -> None:
         folder = base / "notebooks" / item.path.parent.name / item.path.stem
         folder.mkdir(parents=True, exist_ok=True)
         os.environ["AUTOGRADER_RESPONSES"] = str(folder)
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Try a test once more if it watches real processes or a browser against the clock.
+
+    Their limits are wall time: on a machine that others use too, one may come too late once. A
+    real fault fails twice.
+    """
+    for item in items:
+        if {"browser", "sandbox"} & set(item.path.parts):
+            item.add_marker(pytest.mark.flaky(reruns=1))
