@@ -22,11 +22,15 @@ STATUSES = (
 
 @dataclass(frozen=True)
 class Part:
-    """The verdict on one statement or kind of input; ``right`` is None where nothing was said."""
+    """The verdict on one statement, card or kind of input; ``right`` is None if nothing was said.
+
+    ``explanation`` is as for `Mark`, about this part alone.
+    """
 
     label: str
     right: bool | None
     feedback: str
+    explanation: str = ""
 
 
 @dataclass(frozen=True)
@@ -60,6 +64,12 @@ class Mark:
     def points(self) -> float:
         """What the response earns, to two decimals."""
         return round(self.credit * self.max_points, 2)
+
+    @property
+    def full_explanation(self) -> str:
+        """The explanations of the parts and of the whole, as Markdown."""
+        parts = [f"- {part.label}: {part.explanation}" for part in self.parts if part.explanation]
+        return "\n\n".join(filter(None, ["\n".join(parts), self.explanation]))
 
     def to_dict(self) -> dict[str, Any]:
         """Plain data, for the wire and the gradebook."""

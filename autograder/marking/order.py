@@ -61,7 +61,12 @@ def mark_order(question: Order, answer: OrderAnswer, response: Any) -> Mark:
         question.points,
         feedback,
         alternative="right" if moves == 0 else mistake.name if mistake else None,
-        parts=tuple(Part(f"Card {n}", card not in astray, "") for n, card in enumerate(order, 1)),
+        parts=tuple(
+            Part(f"Card {n}", False, "", _where(card, answer, texts))
+            if card in astray
+            else Part(f"Card {n}", True, "")
+            for n, card in enumerate(order, 1)
+        ),
         explanation=explanation,
         understood=" › ".join(texts[card] for card in order),
     )
@@ -146,6 +151,18 @@ def _exchanges(
             for card, new in zip(group, permuted, strict=True)
         }
         yield tuple(rename.get(card, card) for card in order)
+
+
+def _where(card: str, answer: OrderAnswer, texts: dict[str, str]) -> str:
+    """Between which cards a card belongs."""
+    earlier = {f"“{texts[first]}”": None for first, second in answer.before if second == card}
+    later = {f"“{texts[second]}”": None for first, second in answer.before if first == card}
+    places = [
+        f"{word} {' and '.join(cards)}"
+        for word, cards in (("after", earlier), ("before", later))
+        if cards
+    ]
+    return f"“{texts[card]}” comes {' and '.join(places)}." if places else ""
 
 
 def _first_conflict(question: Order, order: Sequence[str], after: dict[str, set[str]]) -> str:

@@ -24,24 +24,21 @@ def mark_true_false(question: TrueFalse, answer: TrueFalseAnswer, response: Any)
         return not_attempted(question)
     parts = []
     for number, (said, key) in enumerate(zip(response, answer.statements, strict=True), 1):
-        if said is None:
-            parts.append(Part(f"Statement {number}", None, "Not answered yet."))
-        elif said == key.truth:
-            parts.append(Part(f"Statement {number}", True, ""))
-        else:
-            parts.append(Part(f"Statement {number}", False, key.misconception))
+        verdict, feedback = (
+            (None, "Not answered yet.")
+            if said is None
+            else (True, "")
+            if said == key.truth
+            else (False, key.misconception)
+        )
+        explanation = f"{'True' if key.truth else 'False'}. {key.explanation}"
+        parts.append(Part(f"Statement {number}", verdict, feedback, explanation))
     right = sum(part.right is True for part in parts)
     credit = right / len(parts)
     feedback = f"{right} of {len(parts)} statements right."
     wrong = [part.label for part in parts if part.right is False]
     if wrong:
         feedback += " Look again at " + ", ".join(label.lower() for label in wrong) + "."
-    explanation = "\n".join(
-        f"{number}. {'True' if key.truth else 'False'}. {key.explanation}"
-        for number, key in enumerate(answer.statements, 1)
-    )
-    if answer.explanation:
-        explanation += f"\n\n{answer.explanation}"
     return Mark(
         question.id,
         status_for(credit),
@@ -50,7 +47,7 @@ def mark_true_false(question: TrueFalse, answer: TrueFalseAnswer, response: Any)
         feedback,
         alternative="right" if credit == 1 else None,
         parts=tuple(parts),
-        explanation=explanation,
+        explanation=answer.explanation,
         understood=", ".join({True: "true", False: "false", None: "–"}[said] for said in response),
     )
 

@@ -107,8 +107,9 @@ def _question(shared: Feedback, record: Record, question: Question) -> str:
         lines.append(_feedback(mark))
         lines += _parts(question, mark)
         lines.append(shared.pictures.html(question.id, mark, record.seed))
-        if shared.explanations and mark.explanation:
-            lines.append(f'<div class="explained"><h4>Why</h4>{markdown(mark.explanation)}</div>')
+        if shared.explanations and mark.full_explanation:
+            why = markdown(mark.full_explanation)
+            lines.append(f'<div class="explained"><h4>Why</h4>{why}</div>')
     return "\n".join(line for line in [*lines, "</article>"] if line)
 
 

@@ -83,6 +83,6 @@ def _output(record: Record, question: Question, mark: Mark | None, explanations:
             for part in mark.parts
             if part.right is not True and part.feedback
         ]
-        if explanations and mark.explanation:
-            lines += ["", *mark.explanation.splitlines()]
+        if explanations and mark.full_explanation:
+            lines += ["", *mark.full_explanation.splitlines()]
     return "\n".join(printable(line) for line in lines)

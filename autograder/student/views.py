@@ -125,12 +125,12 @@ class MarkView(_View):
         wrong = [part for part in mark.parts if part.feedback and part.right is not True]
         if isinstance(self.question, TrueFalse):
             lines += ["", *(f"- {part.label}: {part.feedback}" for part in wrong)] if wrong else []
-        if mark.explanation and mark.status in ("right", "partial", "wrong"):
+        if mark.full_explanation and mark.status in ("right", "partial", "wrong"):
             lines += [
                 "",
                 "<details><summary>Explanation</summary>",
                 "",
-                mark.explanation,
+                mark.full_explanation,
                 "",
                 "</details>",
             ]

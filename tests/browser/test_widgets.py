@@ -139,6 +139,10 @@ def test_feedback_stands_at_the_statement_and_attempts_are_counted(sheet: Notebo
     expect(question.locator("tbody tr").nth(0).locator(".ag-part")).to_contain_text("right")
     expect(question.locator("tbody tr").nth(1).locator(".ag-part")).to_contain_text("look again")
     expect(question.locator("tbody tr").nth(2).locator(".ag-part")).to_contain_text("open")
+    why = question.locator("tbody tr").nth(1).locator("details")
+    expect(why.locator("div")).to_be_hidden()  # it tells the answer
+    why.locator("summary").click()
+    expect(why.locator("div")).to_contain_text("True.")
     choose(sheet, 2, True)
     expect(question.locator(".ag-verdict")).to_have_count(0)  # it judged another response
 

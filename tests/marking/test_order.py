@@ -202,6 +202,14 @@ def test_the_explanation_lists_the_canonical_order(marker):
     assert explanation.endswith("a cup before the last step.")
 
 
+def test_a_card_out_of_place_is_told_where_it_belongs(marker):
+    mark = marker.mark("Q1.2", ["cup", "boil", "stir_again", "drink", "pour", "stir"])
+    astray = [part for part in mark.parts if not part.right]
+    assert [part.label for part in astray] == ["Card 4"]
+    assert astray[0].explanation == "“Drink” comes after “Stir” and “Fetch a cup”."
+    assert not any(part.explanation for part in mark.parts if part.right)
+
+
 @pytest.mark.parametrize(
     "response", [RIGHT[1:], [*RIGHT, "cup"], ["boil", *RIGHT[1:]], [*RIGHT[:5], "x"], [1, 2], "cup"]
 )

@@ -13,7 +13,7 @@ def marker(tiny_course) -> Marker:
     return Marker(tiny_course.load(), seed=1)
 
 
-@pytest.mark.parametrize("response", itertools.product([True, False, None], repeat=3))
+@pytest.mark.parametrize("response", [*itertools.product([True, False, None], repeat=3)])
 def test_every_statement_counts_by_itself(marker, response):
     mark = marker.mark("Q1.1", list(response))
     right = sum(said is truth for said, truth in zip(response, (True, False, True), strict=True))
@@ -41,9 +41,10 @@ def test_a_wrong_call_gets_its_misconception_and_an_open_one_says_so(marker):
 
 def test_the_explanation_tells_every_truth_and_the_feedback_none(marker):
     mark = marker.mark("Q1.1", [False, False, False])
-    assert "1. True. At sea level" in mark.explanation
-    assert "2. False. Ice is lighter" in mark.explanation
-    assert mark.explanation.endswith("Water is an unusual liquid.")
+    assert mark.parts[0].explanation.startswith("True. At sea level")
+    assert mark.parts[1].explanation.startswith("False. Ice is lighter")
+    assert mark.full_explanation.startswith("- Statement 1: True. At sea level")
+    assert mark.full_explanation.endswith("\n\nWater is an unusual liquid.")
     assert "Ice is lighter" not in mark.feedback + "".join(part.feedback for part in mark.parts)
 
 

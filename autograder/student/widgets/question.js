@@ -90,18 +90,25 @@ function drawMark(place, mark) {
     ),
     make("p", { class: "ag-feedback", html: mark.feedback }),
   );
-  if (mark.explanation) {
-    const summary = make("summary", {}, "Explanation (it tells the answer)");
-    keepKeys(summary);
-    place.append(make("details", {}, summary, make("div", { html: mark.explanation })));
-  }
+  if (mark.explanation) place.append(explained(mark.explanation, "Explanation"));
+}
+
+// Folded away, because it tells the answer.
+function explained(html, title) {
+  const summary = make("summary", {}, `${title} (it tells the answer)`);
+  keepKeys(summary);
+  return make("details", {}, summary, make("div", { html }));
 }
 
 // The verdict on one statement or card: a sign, and words for those who do not see it.
 function drawPart(place, part, wrong) {
+  const drawn = JSON.stringify(part ?? null);
+  if (place.dataset.drawn === drawn) return; // an open explanation stays open
+  place.dataset.drawn = drawn;
   place.hidden = !part || (part.right === null && !part.feedback);
   place.className = `ag-part ${part?.right ? "ag-right" : part?.right === false ? "ag-wrong" : ""}`;
   if (place.hidden) return place.replaceChildren();
   const verdict = part.right ? "✓ right" : part.right === false ? `✗ ${wrong}` : "○ open";
   place.replaceChildren(make("strong", {}, verdict), " ", make("span", { html: part.feedback }));
+  if (part.explanation) place.append(explained(part.explanation, "Why"));
 }

@@ -60,7 +60,12 @@ class QuestionWidget(CourseWidget):
             "feedback": line(mark.feedback),
             "explanation": block(mark.explanation) if mark.status in _EXPLAINED else "",
             "parts": [
-                {"right": part.right, "feedback": line(part.feedback)} for part in mark.parts
+                {
+                    "right": part.right,
+                    "feedback": line(part.feedback),
+                    "explanation": line(part.explanation),
+                }
+                for part in mark.parts
             ],
         }
 
