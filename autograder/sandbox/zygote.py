@@ -92,9 +92,7 @@ class Zygote:
         _bring_font_list(self._work)
         os.chdir(self._work / "notebooks")
         self._notebook = warm()
-        gc.collect()
         gc.freeze()  # the collector would write into every page and so copy it in each fork
-        gc.disable()
         self._filter = (
             seccomp.build_filter(refuse_thread_signals=not landlock.confines_signals())
             if how.use_seccomp
@@ -262,6 +260,7 @@ def _bring_font_list(work: Path) -> None:
 
 def main() -> None:
     """Obey the control socket whose descriptor is the first argument."""
+    gc.disable()  # what is imported stays: looking through it for garbage is for nothing
     Zygote(socket.socket(fileno=int(sys.argv[1]))).serve()
 
 
