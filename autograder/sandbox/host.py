@@ -9,7 +9,6 @@ import signal
 import socket
 import subprocess
 import sys
-import tempfile
 import time
 from contextlib import suppress
 from itertools import count
@@ -21,6 +20,7 @@ from autograder.course import Settings
 from autograder.errors import AutograderError
 from autograder.sandbox import bubblewrap, landlock, seccomp
 from autograder.sandbox.channel import Channel
+from autograder.sandbox.own_folder import OwnFolder
 
 _SYSTEM_FILES = ("/etc/ld.so.cache", "/etc/localtime")
 _PACKAGE = Path(autograder.__file__).parent
@@ -46,7 +46,8 @@ class Host:
         self._number = 0
         self._ready = False
         self.is_stopped = False
-        self._folder = Path(tempfile.mkdtemp(prefix="autograder-"))
+        self._own_folder = OwnFolder()
+        self._folder = self._own_folder.path
         # A slot has a user id of its own, so that one slot's processes do not count in another.
         slot = (os.getpid() * 16 + next(_slots)) % _IDENTITIES
         self._identity = _FIRST_IDENTITY + slot if os.geteuid() == 0 else 0
@@ -56,7 +57,7 @@ class Host:
             start = self._start_inside if with_namespaces else self._start_beside
             self._process, self._control = start(root)
         except BaseException:
-            shutil.rmtree(self._folder, ignore_errors=True)
+            self._own_folder.remove()
             raise
 
     def wait_until_ready(self) -> None:
@@ -134,7 +135,7 @@ class Host:
                 os.killpg(self._process.pid, signal.SIGKILL)
             self._process.wait()
         self._control.close()
-        shutil.rmtree(self._folder, ignore_errors=True)
+        self._own_folder.remove()
 
     def _expect(self, answer: dict[str, Any]) -> None:
         deadline = time.monotonic() + _ANSWER_SECONDS

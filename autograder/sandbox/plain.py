@@ -7,7 +7,6 @@ import shutil
 import signal
 import subprocess
 import sys
-import tempfile
 import threading
 from contextlib import suppress
 from pathlib import Path
@@ -15,6 +14,7 @@ from typing import Any
 
 from autograder.course import Course
 from autograder.sandbox import wire
+from autograder.sandbox.own_folder import OwnFolder
 from autograder.sandbox.replies import clean_evaluation, clean_report
 from autograder.sandbox.stopped import Stopped
 
@@ -34,13 +34,14 @@ class PlainSession:
         self._cells: list[str] = []
 
     def __enter__(self) -> PlainSession:
-        self._folder = Path(tempfile.mkdtemp(prefix="autograder-"))
+        self._own_folder = OwnFolder()
+        self._folder = self._own_folder.path
         _stage(self._course.root, self._folder)
         return self
 
     def __exit__(self, *exception: object) -> None:
         self.stop()
-        shutil.rmtree(self._folder, ignore_errors=True)
+        self._own_folder.remove()
 
     def run(self, cells: list[str], names: list[str]) -> dict[str, Any]:
         """As `Session.run`."""

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import atexit
 import os
-import tempfile
 import time
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -16,6 +15,7 @@ from autograder.sandbox import bubblewrap, landlock, seccomp
 from autograder.sandbox.channel import Late
 from autograder.sandbox.host import Host, HostError, limits
 from autograder.sandbox.launcher import SandboxError
+from autograder.sandbox.own_folder import OwnFolder
 from autograder.sandbox.wire import WireError
 
 _TRIAL_PROCESSES = 6
@@ -189,17 +189,15 @@ def advice() -> str:
 def _try_to_get_out(host: Host, course: Course) -> dict[str, bool]:
     import socket
 
-    with (
-        tempfile.NamedTemporaryFile("w", prefix="autograder-canary-", suffix=".txt") as canary,
-        socket.socket() as listener,
-    ):
-        canary.write("secret")
-        canary.flush()
-        os.chmod(canary.name, 0o666)
+    with OwnFolder() as folder, socket.socket() as listener:
+        folder.chmod(0o755)
+        canary = folder / "canary.txt"
+        canary.write_text("secret")
+        canary.chmod(0o666)
         listener.bind(("127.0.0.1", 0))
         listener.listen()
         cell = _CELL.format(
-            canary=canary.name,
+            canary=str(canary),
             port=listener.getsockname()[1],
             grader=os.getpid(),
             processes=_TRIAL_PROCESSES,
@@ -223,7 +221,7 @@ def _try_to_get_out(host: Host, course: Course) -> dict[str, bool]:
             channel.close()
         host.close()
         understood = answer["reply"]["understood"]
-        untouched = Path(canary.name).read_text() == "secret"
+        untouched = canary.read_text() == "secret"
     results = {name: understood.get(name) in expected for name, (expected, _) in TRIALS.items()}
     # What the attempt saw does not count: a file of that name in a private /tmp harms nobody.
     results["write_a_file"] = untouched

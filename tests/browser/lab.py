@@ -95,23 +95,26 @@ class Server:
 class Notebook:
     """A notebook in a page of JupyterLab."""
 
-    def __init__(self, page: Page, server: Server, path: str, app: str = "") -> None:
+    def __init__(
+        self, page: Page, server: Server, path: str, app: str = "", folder: str = "notebooks"
+    ) -> None:
         self.page = page
         self.server = server
         self.path = path
+        self.folder = folder
         # A workspace of its own, or JupyterLab would open what was open before.
         self.app = app or f"lab/workspaces/{secrets.token_hex(4)}/tree"
 
     def open(self) -> Notebook:
         """Open it and wait for its kernel."""
-        self.page.goto(self.server.url(f"{self.app}/notebooks/{self.path}"))
+        self.page.goto(self.server.url(f"{self.app}/{self.folder}/{self.path}"))
         self.wait_for_kernel()
         return self
 
     def wait_for_kernel(self) -> None:
         """Wait until the kernel is connected and idle."""
         self._wait(
-            f"panel.context.path === 'notebooks/{self.path}' && panel.sessionContext.isReady"
+            f"panel.context.path === '{self.folder}/{self.path}' && panel.sessionContext.isReady"
             " && kernel.connectionStatus === 'connected' && kernel.status === 'idle'"
         )
 
@@ -196,7 +199,7 @@ class Notebook:
     def kept(self) -> dict[str, Any]:
         """What the files of responses hold, by question id."""
         found: dict[str, Any] = {}
-        for path in (self.server.course / "notebooks/responses").glob("*.json"):
+        for path in (self.server.course / self.folder / "responses").glob("*.json"):
             if "damaged" not in path.name:
                 found |= json.loads(path.read_text())["responses"]
         return found

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import os
+import shutil
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -177,3 +178,26 @@ def test_notebook_7_shows_and_keeps_the_same_answers(page: Page, server: Server)
     before = chapter.sources()
     page.keyboard.press("b")
     assert chapter.sources() == before
+
+
+def test_without_a_key_answers_are_recorded_and_nothing_looks_marked(page: Page, server: Server):
+    bundle = server.course / "bundle"
+    ignored = shutil.ignore_patterns("responses", "submission.zip")
+    shutil.copytree(server.course / "notebooks", bundle / "notebooks", ignore=ignored)
+    (bundle / "data").symlink_to(server.course / "data")
+    shutil.copy(server.course / "pyproject.toml", bundle)
+    chapter = Notebook(page, server, "3_ransac.ipynb", folder="bundle/notebooks").open()
+    for source in ("from autograder", 'ask("Q3.1")', "iterations = ...", 'check("Q3.2.1"'):
+        chapter.run_cell(chapter.index_of(source))
+    chapter.wait_for_widgets()
+    statements, number = chapter.question("Q3.1"), chapter.question("Q3.2.1")
+    expect(statements).to_contain_text("marked later")
+    expect(statements.get_by_role("button", name="Check")).to_have_count(0)
+    answer_statements(chapter, "Q3.1", [True, False])
+    number.get_by_role("textbox").fill("1 / 3")
+    number.get_by_role("textbox").press("Enter")
+    expect(number.locator(".ag-verdict")).to_have_text("● recorded")
+    expect(statements.locator(".ag-verdict")).to_have_count(0)
+    expect(statements.locator(".ag-part:visible")).to_have_count(0)
+    assert chapter.kept()["Q3.1"]["response"][:2] == [True, False]
+    assert chapter.kept()["Q3.2.1"]["points"] == 0
