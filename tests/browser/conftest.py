@@ -8,7 +8,7 @@ from collections.abc import Iterator
 
 import pytest
 from lab import Server
-from playwright.sync_api import Browser, expect, sync_playwright
+from playwright.sync_api import Browser, BrowserContext, expect, sync_playwright
 
 NAMES = ("chromium", "chromium-browser", "google-chrome")
 # A machine may be busy with other tests; nothing waits longer than it has to.
@@ -41,6 +41,15 @@ def browser() -> Iterator[Browser]:
         chromium = playwright.chromium.launch(executable_path=program, args=flags)
         yield chromium
         chromium.close()
+
+
+@pytest.fixture(scope="module")
+def window(browser: Browser) -> Iterator[BrowserContext]:
+    """One window for the tests of a file: its tabs share what the browser has loaded before."""
+    opened = browser.new_context(viewport={"width": 1200, "height": 1000})
+    opened.set_default_timeout(PATIENCE)
+    yield opened
+    opened.close()
 
 
 @pytest.fixture(scope="module")

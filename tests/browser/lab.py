@@ -31,6 +31,7 @@ class Server:
         self._token = secrets.token_hex(8)
         self._log = (folder / "server.log").open("wb")
         _write_settings(folder / "settings")
+        _write_page_config(folder / "config")
         runtime = folder / "runtime"
         environment = {
             name: value
@@ -52,6 +53,7 @@ class Server:
                 *("--no-browser", "--allow-root", "--ip=127.0.0.1", "--port=0"),
                 f"--ServerApp.root_dir={self.course}",
                 f"--IdentityProvider.token={self._token}",
+                "--ServerApp.terminals_enabled=False",
                 "--LabApp.expose_app_in_browser=True",
                 "--JupyterNotebookApp.expose_app_in_browser=True",
             ],
@@ -231,4 +233,12 @@ def _write_settings(folder: Path) -> None:
     extension.mkdir(parents=True)
     (extension / "notification.jupyterlab-settings").write_text(
         '{"fetchNews": "false", "checkForUpdates": false}'
+    )
+
+
+def _write_page_config(folder: Path) -> None:
+    """No look at whether JupyterLab should be built again, which takes seconds."""
+    (folder / "labconfig").mkdir(parents=True)
+    (folder / "labconfig/page_config.json").write_text(
+        '{"buildAvailable": false, "buildCheck": false}'
     )

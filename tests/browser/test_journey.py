@@ -13,7 +13,7 @@ from typing import Any
 
 import pytest
 from lab import ROOT, Notebook, Server
-from playwright.sync_api import Browser, Page, expect
+from playwright.sync_api import BrowserContext, Page, expect
 
 from autograder.course import Course, load_course
 
@@ -24,15 +24,14 @@ def course() -> Course:
 
 
 @pytest.fixture
-def page(browser: Browser) -> Iterator[Page]:
-    context = browser.new_context(viewport={"width": 1200, "height": 1000})
-    context.set_default_timeout(45_000)
-    yield context.new_page()
-    context.close()
+def page(window: BrowserContext) -> Iterator[Page]:
+    tab = window.new_page()
+    yield tab
+    tab.close()
 
 
 def test_a_student_answers_saves_comes_back_hands_in_and_is_graded(
-    page: Page, server: Server, course: Course, browser: Browser, tmp_path: Path
+    page: Page, server: Server, course: Course, window: BrowserContext, tmp_path: Path
 ):
     key: Any = course.key
 
@@ -51,10 +50,7 @@ def test_a_student_answers_saves_comes_back_hands_in_and_is_graded(
 
     # Close the tab, open it again: the answers are there, and can be changed.
     page.close()
-    chapter = Notebook(
-        browser.new_page(viewport={"width": 1200, "height": 1000}), server, chapter.path
-    )
-    chapter.open()
+    chapter = Notebook(window.new_page(), server, chapter.path).open()
     for at, truth in enumerate(truths):
         chosen = chapter.question("Q1.1").get_by_role("radio").nth(2 * at + (not truth))
         expect(chosen).to_be_checked()
@@ -62,7 +58,7 @@ def test_a_student_answers_saves_comes_back_hands_in_and_is_graded(
     chapter.page.close()
 
     # Chapter 3: two statements right and two open, a typed number and formula, code in a cell.
-    page = browser.new_page(viewport={"width": 1200, "height": 1000})
+    page = window.new_page()
     chapter = Notebook(page, server, "3_ransac.ipynb").open()
     chapter.run_all()
     chapter.wait_for_widgets()
@@ -183,7 +179,7 @@ def test_notebook_7_shows_and_keeps_the_same_answers(page: Page, server: Server)
 def test_without_a_key_answers_are_recorded_and_nothing_looks_marked(page: Page, server: Server):
     bundle = server.course / "bundle"
     ignored = shutil.ignore_patterns("responses", "submission.zip")
-    shutil.copytree(server.course / "notebooks", bundle / "notebooks", ignore=ignored)
+    shutil.copytree(ROOT / "notebooks", bundle / "notebooks", ignore=ignored)
     (bundle / "data").symlink_to(server.course / "data")
     shutil.copy(server.course / "pyproject.toml", bundle)
     chapter = Notebook(page, server, "3_ransac.ipynb", folder="bundle/notebooks").open()

@@ -6,7 +6,6 @@ import contextlib
 import json
 import re
 import statistics
-from collections.abc import Iterator
 from pathlib import Path
 
 import nbformat
@@ -15,7 +14,7 @@ from axe_playwright_python.sync_playwright import Axe
 from filelock import FileLock
 from lab import Notebook, Server
 from nbformat.v4 import new_code_cell, new_notebook
-from playwright.sync_api import Browser, Page, TimeoutError, expect
+from playwright.sync_api import BrowserContext, Page, TimeoutError, expect
 
 NAME = "9_place_recognition_and_ransac.ipynb"
 CELLS = [
@@ -45,11 +44,8 @@ def path(server: Server) -> Path:
 
 
 @pytest.fixture(scope="module")
-def opened(browser: Browser, server: Server, path: Path) -> Iterator[Notebook]:
-    page = browser.new_page(viewport={"width": 1200, "height": 1000})
-    page.set_default_timeout(45_000)
-    yield Notebook(page, server, NAME).open()
-    page.close()
+def opened(window: BrowserContext, server: Server, path: Path) -> Notebook:
+    return Notebook(window.new_page(), server, NAME).open()
 
 
 @pytest.fixture
@@ -286,17 +282,16 @@ def test_the_keys_for_saving_still_save(sheet: Notebook, path: Path):
     assert '"Q1.1"' in path.read_text()
 
 
-def test_a_second_tab_shows_what_was_clicked_in_the_first(sheet: Notebook, browser: Browser):
+def test_a_second_tab_shows_what_was_clicked_in_the_first(sheet: Notebook, window: BrowserContext):
     sheet.save()
-    context = browser.new_context(viewport={"width": 1200, "height": 1000})
-    other = Notebook(context.new_page(), sheet.server, NAME).open()
+    other = Notebook(window.new_page(), sheet.server, NAME).open()
     expect(radio(other, 0, True)).to_be_enabled()
     choose(sheet, 0, True)
     expect(radio(other, 0, True)).to_be_checked()
     choose(other, 3, False)
     expect(radio(sheet, 3, False)).to_be_checked()
     assert response(sheet, "Q1.1") == [True, None, None, False]
-    context.close()
+    other.page.close()
 
 
 def test_a_cell_that_is_run_again_and_one_whose_output_was_cleared_show_the_answer(
