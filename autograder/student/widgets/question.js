@@ -90,12 +90,12 @@ function drawMark(place, mark) {
     ),
     make("p", { class: "ag-feedback", html: mark.feedback }),
   );
-  if (mark.explanation) place.append(explained(mark.explanation, "Explanation"));
+  if (mark.explanation) place.append(explained(mark.explanation, "Explanation (it tells the answer)"));
 }
 
-// Folded away, because it tells the answer.
+// Folded away, because it may tell the answer.
 function explained(html, title) {
-  const summary = make("summary", {}, `${title} (it tells the answer)`);
+  const summary = make("summary", {}, title);
   keepKeys(summary);
   return make("details", {}, summary, make("div", { html }));
 }
@@ -110,5 +110,6 @@ function drawPart(place, part, wrong) {
   if (place.hidden) return place.replaceChildren();
   const verdict = part.right ? "✓ right" : part.right === false ? `✗ ${wrong}` : "○ open";
   place.replaceChildren(make("strong", {}, verdict), " ", make("span", { html: part.feedback }));
-  if (part.explanation) place.append(explained(part.explanation, "Why"));
+  const why = part.right ? "Why" : "Why (it tells the answer)";
+  if (part.explanation) place.append(explained(part.explanation, why));
 }
