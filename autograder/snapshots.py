@@ -39,6 +39,11 @@ class SnapshotMarker:
                     f"{path} is damaged; take it from the course's download again."
                 ) from None
 
+    def can_mark(self, id: str) -> bool:
+        """Whether a response to a question can be marked, or only recorded."""
+        snapshot = self._snapshots.get(id)
+        return snapshot is not None and bool(snapshot["checked"])
+
     def probe(self, id: str) -> dict[str, Any]:
         """What the kernel has to evaluate for a question."""
         kind = self._course.question(id).kind

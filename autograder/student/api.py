@@ -118,6 +118,8 @@ def _check(id: str, response: Any) -> Any:
         return MarkView(question, desk.mark_choice(question, count=False), chosen)
     if response is MISSING:
         raise UsageError(f'Give your response too: check("{id}", {question.name}).')
+    if desk.was_typed(question, response):
+        response = ...  # the field gave it to the variable: the field still holds the answer
     mark = desk.mark_value(question, response)
     view = MarkView(question, mark, desk.entry(question).get("response"))
     return _shown(view, "value_widget", desk, question, response, mark)

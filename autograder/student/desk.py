@@ -143,6 +143,11 @@ class Desk:
         except UsageError:
             return ...
 
+    def was_typed(self, question: Question, response: Any) -> bool:
+        """Whether a variable's value is what was typed into the question's field."""
+        typed = self.typed(question)
+        return typed is not ... and type(response) is type(typed) and bool(response == typed)
+
     def mark_value(self, question: Question, response: Any, count: bool = True) -> Mark:
         """Mark a value, an expression or a function.
 
@@ -204,6 +209,11 @@ class Desk:
     def _present(self) -> list[Any]:
         with self._lock:
             return list(self._onlookers)
+
+    def can_mark(self, question: Question) -> bool:
+        """Whether a response to the question can be marked here, or only recorded."""
+        marker = marker_for(self.course)
+        return marker is not None and marker.can_mark(question.id)
 
     def _note(
         self,

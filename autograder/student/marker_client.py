@@ -51,6 +51,10 @@ class BundleMarker:
         self._practice = practice
         self._client: MarkerClient | None = None
 
+    def can_mark(self, id: str) -> bool:
+        """Whether a response to a question can be marked, or only recorded."""
+        return self._is_practice(id) or self._snapshots.can_mark(id)
+
     def probe(self, id: str) -> dict[str, Any]:
         """What the kernel has to evaluate for a question."""
         return self._for(id).probe(id)
@@ -60,11 +64,14 @@ class BundleMarker:
         return self._for(id).mark(id, response, understood)
 
     def _for(self, id: str) -> MarkerClient | SnapshotMarker:
-        if self._practice is None or id not in self._practice.questions:
+        if self._practice is None or not self._is_practice(id):
             return self._snapshots
         if self._client is None or not self._client.alive:
             self._client = MarkerClient(self._practice)
         return self._client
+
+    def _is_practice(self, id: str) -> bool:
+        return self._practice is not None and id in self._practice.questions
 
 
 class MarkerClient:
@@ -89,6 +96,10 @@ class MarkerClient:
     def alive(self) -> bool:
         """Whether the process still runs."""
         return self._process.poll() is None
+
+    def can_mark(self, id: str) -> bool:
+        """Whether a response to a question can be marked, or only recorded."""
+        return True
 
     def probe(self, id: str) -> dict[str, Any]:
         """What the kernel has to evaluate for a question."""

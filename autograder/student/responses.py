@@ -55,8 +55,11 @@ class Responses:
         self._rescue = rescue
 
     def all(self) -> dict[str, Entry]:
-        """Every entry by question id; a damaged file counts as none."""
-        return self._read() or {}
+        """Every entry by question id; a file that is damaged or cannot be read counts as none."""
+        try:
+            return self._read() or {}
+        except OSError:
+            return {}
 
     def get(self, id: str) -> Entry:
         """The entry of one question, empty if it has not been answered."""
@@ -102,15 +105,16 @@ class Responses:
         Raises:
             ResponsesError: if the folder cannot be written.
         """
-        if self.path.exists() and self._read() is not None:
-            return ""
-        damaged = self.path.exists()
-        rescued = self._rescue()
-        if not damaged and not rescued:
-            return ""
         try:
+            if self._is_sound():
+                return ""
+            rescued = self._rescue()
+            if not self.path.exists() and not rescued:
+                return ""
             with self._lock():
-                aside = self._set_aside() if damaged else None
+                if self._is_sound():  # another kernel was faster
+                    return ""
+                aside = self._set_aside() if self.path.exists() else None
                 self._write(rescued)
         except (OSError, Timeout) as error:
             raise ResponsesError(self._refusal("The file of your responses", error)) from None
@@ -140,17 +144,24 @@ class Responses:
             "Move the course to a folder of your own and answer again."
         )
 
+    def _is_sound(self) -> bool:
+        return self.path.exists() and self._read() is not None
+
     def _lock(self) -> FileLock:
         self.path.parent.mkdir(parents=True, exist_ok=True)
         return FileLock(self.path.with_suffix(".lock"), timeout=LOCK_SECONDS)
 
     def _read(self) -> dict[str, Entry] | None:
-        """The entries; None if the file is damaged."""
+        """The entries; None if the file is damaged.
+
+        Raises:
+            OSError: if it cannot be read now, as on a network drive: that is no damage.
+        """
         try:
             stored = json.loads(self.path.read_text(encoding="utf-8"))
         except FileNotFoundError:
             return {}
-        except (ValueError, OSError, RecursionError):
+        except (ValueError, RecursionError):
             return None
         entries = stored.get("responses") if isinstance(stored, dict) else None
         if isinstance(entries, dict) and all(isinstance(entry, dict) for entry in entries.values()):

@@ -9,6 +9,7 @@ from pathlib import Path
 
 from autograder.course import Course
 from autograder.errors import AutograderError
+from autograder.notebook_reader import Unreadable, read_notebook
 
 
 @dataclass(frozen=True)
@@ -25,20 +26,15 @@ def pack_submission(course: Course, responses: Path) -> Packed:
     Raises:
         AutograderError: if there is no notebook to hand in or the zip cannot be written.
     """
-    chapters = {chapter.name for chapter in course.chapters}
     folder = Path.cwd() if any(Path.cwd().glob("*.ipynb")) else course.root / "notebooks"
-    notebooks = sorted(
-        path
-        for path in folder.glob("*.ipynb")
-        if any(path.stem.partition("_")[2].startswith(name) for name in chapters)
-    )
+    notebooks = sorted(path for path in folder.glob("*.ipynb") if _is_of_the_course(path, course))
     if not notebooks:
         raise AutograderError(
             f"There is no chapter of the course in {folder}; run submit() in one of its notebooks."
         )
     files = {path.name: path for path in notebooks} | {
         f"responses/{name}.json": responses / f"{name}.json"
-        for name in sorted(chapters)
+        for name in sorted(chapter.name for chapter in course.chapters)
         if (responses / f"{name}.json").exists()
     }
     target = (responses if os.environ.get("AUTOGRADER_RESPONSES") else folder) / "submission.zip"
@@ -55,3 +51,14 @@ def pack_submission(course: Course, responses: Path) -> Packed:
             "Free the disk or move the course to a folder of your own, and submit again."
         ) from None
     return Packed(target, tuple(files))
+
+
+def _is_of_the_course(path: Path, course: Course) -> bool:
+    """Whether a notebook is a chapter, by its name or, renamed, by the questions it asks."""
+    if any(chapter.name in path.stem.casefold() for chapter in course.chapters):
+        return True
+    try:
+        code = "\n".join(read_notebook(path.read_bytes()).cells)
+    except (Unreadable, OSError):
+        return False
+    return any(f'"{id}"' in code for id in course.questions)

@@ -184,8 +184,8 @@ class SubmissionView(_View):
     def lines(self) -> list[str]:
         notebooks = [name for name in self.packed.names if name.endswith(".ipynb")]
         lines = [
-            f"**{self.packed.path.name}** holds {plural(len(notebooks), 'notebook')} and your "
-            "responses, as last saved. Hand in this file.",
+            f"**{self.packed.path.name}** holds {plural(len(notebooks), 'notebook')} "
+            f"({', '.join(notebooks)}) and your responses, as last saved. Hand in this file.",
             "",
         ]
         if self.unsaved:

@@ -171,6 +171,8 @@ def test_notebook_7_shows_and_keeps_the_same_answers(page: Page, server: Server)
     chapter.run_cell(chapter.index_of('ask("Q2.1")'))
     answer_statements(chapter, "Q2.1", [True])
     assert chapter.kept()["Q2.1"]["response"] == [True, None, None]
+    chapter.question("Q2.1").get_by_role("button", name="Check").click()
+    expect(chapter.question("Q2.1").locator(".ag-attempts")).to_have_text("1 attempt")
     before = chapter.sources()
     page.keyboard.press("b")
     assert chapter.sources() == before

@@ -29,6 +29,7 @@ CELLS = [
     "progress()",
     "explore_ransac()",
     "explore_polar_line([(1, 0), (1, 1), (1.1, 2)])",
+    "submit()",
 ]
 
 
@@ -256,6 +257,35 @@ def test_a_typed_number_is_read_and_nonsense_is_not_kept(sheet: Notebook):
     assert response(sheet, "Q3.2.1") == 21
 
 
+def test_a_typed_answer_stays_when_its_cells_are_run_again(sheet: Notebook):
+    question = sheet.question("Q3.2.1")
+    question.get_by_role("textbox").fill("3 * 7")
+    question.get_by_role("textbox").press("Enter")
+    expect(question.locator(".ag-verdict")).to_be_visible()
+    sheet.run_cell(4)  # the variable holds the answer now
+    expect(question.get_by_role("textbox")).to_have_value("21")
+    assert response(sheet, "Q3.2.1") == 21
+
+
+def test_a_formula_that_is_refused_stays_to_be_mended(sheet: Notebook):
+    question = sheet.question("Q3.2.3a")
+    field = question.get_by_role("textbox")
+    field.fill("2*(w+1")
+    question.get_by_role("button", name="Check").click()
+    expect(question.locator(".ag-status")).to_contain_text("bracket is missing")
+    expect(field).to_have_value("2*(w+1")
+    question.get_by_role("button", name="Hint 1").click()
+    expect(question.locator(".ag-hints li")).to_have_count(1)
+    expect(field).to_have_value("2*(w+1")
+    expect(question.locator(".ag-status")).to_contain_text("bracket is missing")
+    field.fill("2*(w+1)")
+    expect(question.locator(".ag-status")).to_have_text("Kept.")
+    field.fill("")
+    field.blur()
+    expect(question.locator(".ag-status")).to_contain_text("your last answer is still kept")
+    assert response(sheet, "Q3.2.3a") == "2*(w+1)"
+
+
 # Never lose an answer, never pretend to have it
 
 
@@ -271,6 +301,16 @@ def test_keys_pressed_in_a_widget_do_nothing_to_the_notebook(sheet: Notebook):
     sheet.question("Q3.2.1").get_by_role("textbox").press_sequentially("1 + b")
     sheet.question("Q1.1").get_by_role("button", name="Check").focus()
     sheet.page.keyboard.press("c")
+    sheet.question("Q1.1").get_by_role("button", name="Check").click()
+    sheet.question("Q1.1").locator("summary").first.focus()
+    sheet.page.keyboard.press("b")
+    sheet.question("Q1.1").get_by_role("button", name="Hint 1").focus()
+    sheet.page.keyboard.press("x")
+    sheet.question("Q1.2").locator(".ag-step").nth(1).focus()
+    sheet.page.keyboard.press("a")
+    sheet.page.get_by_role("button", name="Pack again").focus()
+    sheet.page.keyboard.press("d")
+    sheet.page.keyboard.press("d")
     assert sheet.sources() == before
 
 
@@ -291,7 +331,9 @@ def test_a_second_tab_shows_what_was_clicked_in_the_first(sheet: Notebook, windo
     choose(other, 3, False)
     expect(radio(sheet, 3, False)).to_be_checked()
     assert response(sheet, "Q1.1") == [True, None, None, False]
-    other.page.close()
+    other.page.close()  # unsaved
+    sheet.run_cell(1)
+    expect(radio(sheet, 3, False)).to_be_checked()
 
 
 def test_a_cell_that_is_run_again_and_one_whose_output_was_cleared_show_the_answer(

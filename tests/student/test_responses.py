@@ -138,3 +138,35 @@ def test_progress_counts_answered_questions_and_points(garden: Path):
     check("Q1.3", 12)
     assert "2 of 5" in repr(progress())
     assert "3 of 13" in repr(progress())
+
+
+def test_a_file_that_another_kernel_has_mended_is_not_set_aside_again(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+):
+    slow, fast = Responses(tmp_path, "garden"), Responses(tmp_path, "garden")
+    slow.path.write_text("{")
+
+    def meanwhile() -> dict:
+        fast.mend()
+        fast.record("Q1.1", {"response": [True, None]})
+        return {}
+
+    monkeypatch.setattr(slow, "_rescue", meanwhile)
+    assert slow.mend() == ""
+    assert slow.get("Q1.1")["response"] == [True, None]
+    assert [path.read_text() for path in tmp_path.glob("*.damaged-*")] == ["{"]
+
+
+def test_a_file_that_cannot_be_read_for_a_moment_is_no_damaged_one(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+):
+    responses = Responses(tmp_path, "garden")
+    responses.record("Q1.1", {"response": [True, None]})
+    with monkeypatch.context() as patch:
+        patch.setattr(Path, "read_text", lambda *_, **__: (_ for _ in ()).throw(PermissionError()))
+        with pytest.raises(ResponsesError, match="NOT saved"):
+            responses.record("Q1.2", {"response": 1})
+        with pytest.raises(ResponsesError, match="NOT saved"):
+            responses.mend()
+    assert responses.get("Q1.1")["response"] == [True, None]
+    assert list(tmp_path.glob("*.damaged-*")) == []

@@ -71,3 +71,12 @@ def test_a_zip_that_cannot_be_written_gets_one_sentence(
 def test_with_a_folder_of_its_own_for_responses_the_zip_goes_there(garden: Path):
     submit()
     assert (garden / "submission.zip").exists()
+
+
+def test_a_renamed_notebook_is_known_by_its_questions_and_named(own_garden: Path):
+    notebooks = own_garden / "notebooks"
+    (notebooks / "1_garden.ipynb").rename(notebooks / "final version.ipynb")
+    shown = submit()
+    with zipfile.ZipFile(notebooks / "submission.zip") as archive:
+        assert archive.namelist() == ["final version.ipynb"]
+    assert "final version.ipynb" in repr(shown)

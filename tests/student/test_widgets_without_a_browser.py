@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import json
+import shutil
 from pathlib import Path
 from typing import Any
 
 import pytest
 import sympy as sp
 
+from autograder import check
 from autograder.course import load_course
 from autograder.student import widgets
 from autograder.student.desk import Desk
@@ -262,3 +264,37 @@ def test_prompts_with_formulas_become_mathml_and_html_in_them_stays_text(desk: D
     assert "<math" in show(desk, "Q1.1").fixed["prompt"]
     assert "<script>" not in block("<script>alert(1)</script>")
     assert formula(r"\nonsense{") == r"<code>\nonsense{</code>"
+
+
+@pytest.mark.parametrize(("id", "text"), [("Q1.3", "3 * 4"), ("Q1.4", "2*w + 2*l")])
+def test_checking_the_variable_that_a_field_has_filled_keeps_what_was_typed(
+    desk: Desk, garden: Path, id: str, text: str
+):
+    question: Any = desk.course.question(id)
+    desk.keep_typed(question, text)
+    kept = Responses(garden, "garden").get(id)["response"]
+    check(id, desk.typed(question))  # as when the cell is run again
+    assert Responses(garden, "garden").get(id)["response"] == kept
+    check(id, 13)  # the notebook's own value counts from now on
+    assert Responses(garden, "garden").get(id)["response"] is None
+
+
+def test_a_check_button_stands_where_something_can_be_marked(bundle: Path):
+    desk = Desk(load_course())
+    assert not show(desk, "Q1.1").fixed["marks"]
+    assert not widgets.progress_widget(desk).state["chapters"][0]["marks"]
+    (bundle / "notebooks/snapshots").mkdir()
+    snapshot = {"Q1.4": {"points": {"w": [1.0]}, "accepted": [], "checked": True}}
+    (bundle / "notebooks/snapshots/garden.json").write_text(json.dumps(snapshot))
+    desk = Desk(load_course())
+    assert show(desk, "Q1.4").fixed["marks"]
+    assert not show(desk, "Q1.3").fixed["marks"]
+    assert not widgets.progress_widget(desk).state["chapters"][0]["marks"]
+
+
+def test_a_chapter_for_practice_has_check_buttons(bundle: Path, garden_template: Path):
+    shutil.copytree(garden_template, bundle / "practice")
+    (bundle / "notebooks/snapshots").mkdir()
+    desk = Desk(load_course())
+    assert all(show(desk, id).fixed["marks"] for id in desk.course.questions)
+    assert widgets.progress_widget(desk).state["chapters"][0]["marks"]

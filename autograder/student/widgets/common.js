@@ -63,15 +63,18 @@ function ownModel(model) {
 //
 //   tell(text, kind)   shows a sentence; kind is "", "waiting", "kept" or "lost"
 //   live(yes)          switches the controls on or off
-//   draw()             shows the model's state, which is the truth
+//   draw(lost)         shows the model's state, which is the truth; `lost` when the kernel has gone
+//   unkept()           text on the screen that is not kept, to be repeated where it is lost
 //
 // Returns `send(message)`, a promise of the reply, or of null where the answer was not kept.
-function connect({ model, el, tell, live, draw }) {
+function connect({ model, el, tell, live, draw, unkept = () => "" }) {
   const own = ownModel(model);
   const waiting = new Map();
+  const view = uniqueId("view"); // replies go to every view of a widget: each knows its own
   let next = 1;
   let gone = false;
   let timer = null;
+  let refusal = ""; // why an answer was not kept; it stays until the next answer is given
 
   function disconnected() {
     if (own?.comm_live === false) return true;
@@ -79,17 +82,19 @@ function connect({ model, el, tell, live, draw }) {
     return kernel === null || ENDED.includes(kernel?.status);
   }
 
-  function lose() {
-    if (gone) return;
+  function lose(answering = false) {
+    const first = !gone;
     gone = true;
-    const lost = waiting.size > 0 && [...waiting.values()].some((entry) => entry.matters);
+    const text = unkept();
+    const lost = answering || text || [...waiting.values()].some((entry) => entry.matters);
     for (const entry of waiting.values()) entry.resolve(null);
     waiting.clear();
     clearTimeout(timer);
-    live(false);
-    draw();
+    if (first) live(false);
+    draw(true);
+    if (!first && !lost) return; // it has been said
     tell(
-      (lost ? "Your last answer was NOT kept. " : "") +
+      (lost ? `Your last answer was NOT kept${text ? `: ${text}` : ""}. ` : "") +
         "This is what was kept last; it cannot be changed now. Run this cell again to go on.",
       "lost",
     );
@@ -97,10 +102,11 @@ function connect({ model, el, tell, live, draw }) {
 
   function send(message, matters = true) {
     if (gone || disconnected()) {
-      lose();
+      lose(matters);
       return Promise.resolve(null);
     }
-    const seq = next++;
+    const seq = `${view}-${next++}`;
+    if (matters && waiting.size === 0) refusal = "";
     if (matters) tell("", ""); // what it says was said of the answer before
     return new Promise((resolve) => {
       waiting.set(seq, { resolve, matters });
@@ -133,7 +139,8 @@ function connect({ model, el, tell, live, draw }) {
     if (waiting.size === 0) clearTimeout(timer);
     if (gone) return;
     live(true);
-    if (!reply.ok) tell(reply.said, "lost");
+    if (!reply.ok) refusal = reply.said;
+    if (refusal) tell(refusal, "lost");
     else if (entry.matters) tell("Kept.", "kept");
     else if (waiting.size === 0) tell("", "");
     if (waiting.size === 0) draw();

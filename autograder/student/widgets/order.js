@@ -170,7 +170,11 @@ function render({ model, el }) {
 
   function draw(state) {
     const kept = state.response ?? cards.map(({ id }) => id);
-    if (kept.join() !== order().join()) list.append(...kept.map((id) => byId.get(id).item));
+    if (kept.join() !== order().join()) {
+      const focused = document.activeElement;
+      list.append(...kept.map((id) => byId.get(id).item));
+      if (list.contains(focused)) focused.focus(); // moving an element takes the focus from it
+    }
     const parts = state.mark?.parts ?? [];
     // Only what is out of place: that a card need not move does not mean that its number is right.
     kept.forEach((id, at) => {

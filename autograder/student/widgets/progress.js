@@ -1,7 +1,7 @@
 // A bar for each chapter: how many questions are answered, and the points.
 
 function render({ model, el }) {
-  const { label, marks } = model.get("fixed");
+  const { label } = model.get("fixed");
   const root = openFrame(el, label);
   const list = make("ul", { class: "ag-chapters" });
   const status = make("p", { class: "ag-status", role: "status" });
@@ -10,7 +10,7 @@ function render({ model, el }) {
   function draw() {
     const { chapters } = model.get("state");
     list.replaceChildren(
-      ...chapters.map(({ title, answered, questions, points, most }) => {
+      ...chapters.map(({ title, answered, questions, marks, points, most }) => {
         const said = `${answered} of ${questions} answered`;
         const bar = make("progress", {
           class: "ag-bar",

@@ -20,7 +20,7 @@ class ProgressWidget(CourseWidget):
         super().__init__(desk)
 
     def what_is_fixed(self) -> dict[str, Any]:
-        return {"label": "Progress", "marks": self.desk.course.has_key}
+        return {"label": "Progress"}
 
     def what_is_kept(self) -> dict[str, Any]:
         kept = self.desk.entries()
@@ -32,6 +32,8 @@ class ProgressWidget(CourseWidget):
                     "title": chapter.title,
                     "answered": sum(answered(entries.get(q.id)) for q in chapter.questions),
                     "questions": len(chapter.questions),
+                    # Points that leave out what is only recorded would say little.
+                    "marks": all(map(self.desk.can_mark, chapter.questions)),
                     "points": number(sum(points(entries.get(q.id)) for q in chapter.questions)),
                     "most": number(sum(q.points for q in chapter.questions)),
                 }

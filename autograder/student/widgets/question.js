@@ -1,10 +1,10 @@
 // The parts that questions of every kind have around their own controls.
 //
-//   draw(state)      shows what is kept in the question's own controls
-//   live(yes)        called after the controls have been switched on or off
+//   draw(state, lost)  shows what is kept in the question's own controls
+//   unkept()           what they hold that is not kept
 //
-// Returns the frame with `body` (for the controls), `check` (a button), `send` and `announce`.
-function openQuestion({ model, el, draw, live = () => {}, checkable = true }) {
+// Returns the frame with `body` (for the controls), `check` (a button), `send`, `tell` and `announce`.
+function openQuestion({ model, el, draw, unkept, checkable = true }) {
   const fixed = model.get("fixed");
   const root = openFrame(el, fixed.label);
   const controls = make("fieldset", { class: "ag-controls" });
@@ -27,9 +27,9 @@ function openQuestion({ model, el, draw, live = () => {}, checkable = true }) {
   if (fixed.prompt) root.append(make("div", { class: "ag-prompt", html: fixed.prompt }));
   root.append(refusal, controls, mark, hints, announcer);
 
-  function drawAll() {
+  function drawAll(lost = false) {
     const state = model.get("state");
-    draw(state);
+    draw(state, lost);
     attempts.textContent = state.attempts;
     refusal.textContent = state.refusal;
     refusal.hidden = !state.refusal;
@@ -47,18 +47,18 @@ function openQuestion({ model, el, draw, live = () => {}, checkable = true }) {
     }
   }
 
+  function tell(text, kind) {
+    status.textContent = text;
+    status.className = `ag-status ag-${kind || "quiet"}`;
+  }
+
   const send = connect({
     model,
     el,
+    tell,
+    unkept,
     draw: drawAll,
-    tell(text, kind) {
-      status.textContent = text;
-      status.className = `ag-status ag-${kind || "quiet"}`;
-    },
-    live(yes) {
-      controls.disabled = !yes;
-      live(yes);
-    },
+    live: (yes) => (controls.disabled = !yes),
   });
 
   check.addEventListener("click", () => send({ do: "check" }));
@@ -70,7 +70,7 @@ function openQuestion({ model, el, draw, live = () => {}, checkable = true }) {
       make("span", { class: "ag-note" }, "Answers are kept as you give them and marked later."),
     );
   }
-  return { root, body, actions, check, send, announce: (text) => (announcer.textContent = text) };
+  return { root, body, actions, check, send, tell, announce: (text) => (announcer.textContent = text) };
 }
 
 function drawMark(place, mark) {

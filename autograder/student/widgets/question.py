@@ -33,7 +33,7 @@ class QuestionWidget(CourseWidget):
             "label": f"{question.id} · {question.title}",
             "prompt": block(question.prompt) if self._with_prompt else "",
             "hints": [block(hint) for hint in question.hints],
-            "marks": self.desk.course.has_key,
+            "marks": self.desk.can_mark(question),
         }
 
     def what_is_kept(self) -> dict[str, Any]:

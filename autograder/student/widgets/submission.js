@@ -22,7 +22,7 @@ function render({ model, el }) {
           "Save the notebook (Ctrl+S) and pack again.",
       );
     }
-    if (state.stale) warnings.push("You have answered since. Pack again to hand that in too.");
+    if (state.stale) warnings.push("Something has changed since. Pack again to hand that in too.");
     place.replaceChildren(
       make(
         "p",
@@ -31,6 +31,13 @@ function render({ model, el }) {
         make("strong", {}, state.file),
         ` (packed at ${state.packed_at}): `,
         make("code", { class: "ag-path" }, state.path),
+      ),
+      make(
+        "p",
+        {},
+        "It holds ",
+        ...state.names.flatMap((name, at) => [at ? ", " : null, make("code", {}, name)]),
+        ". Each notebook is packed as it was last saved: save the others too.",
       ),
       ...warnings.map((text) => make("p", { class: "ag-refusal", role: "alert" }, text)),
       make(

@@ -5,6 +5,7 @@ const PAUSE = 300; // ms without a key until what is typed is read
 function render({ model, el }) {
   const fixed = model.get("fixed");
   const understood = make("div", { class: "ag-understood", "aria-live": "polite" });
+  keepKeys(understood); // a long formula scrolls, and can then have the focus
   let typing = null;
   let unread = false; // the field holds something that was not read yet
 
@@ -24,14 +25,19 @@ function render({ model, el }) {
     understood.hidden = !html;
   };
 
-  function draw(state) {
-    if (fixed.field && !unread && document.activeElement !== field) {
+  function draw(state, lost) {
+    if (lost) {
+      clearTimeout(typing);
+      unread = false;
+    }
+    if (fixed.field && !unread && (lost || document.activeElement !== field)) {
       field.value = state.response ?? "";
     }
     show(state.understood);
   }
 
-  const frame = openQuestion({ model, el, draw, checkable: fixed.field });
+  const unkept = () => (unread ? field.value.trim() : "");
+  const frame = openQuestion({ model, el, draw, unkept, checkable: fixed.field });
   if (fixed.symbols.length) {
     const names = fixed.symbols.map(({ name, meaning }) =>
       make("li", {}, make("code", {}, name), " ", make("span", { html: meaning })),
@@ -46,10 +52,17 @@ function render({ model, el }) {
   async function read(action) {
     clearTimeout(typing);
     const text = field.value;
-    unread = false;
-    if (!text.trim()) return;
+    if (!text.trim()) {
+      unread = false;
+      if (model.get("state").response != null) {
+        frame.tell("An empty field changes nothing: your last answer is still kept.", "waiting");
+      }
+      return;
+    }
     const reply = await frame.send({ do: action, text });
-    field.setAttribute("aria-invalid", String(reply !== null && !reply.ok));
+    if (reply === null) return;
+    if (field.value === text) unread = !reply.ok; // what is refused stays to be mended
+    field.setAttribute("aria-invalid", String(!reply.ok));
   }
 
   field.addEventListener("input", () => {
