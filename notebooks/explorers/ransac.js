@@ -70,8 +70,8 @@ function render({ el }) {
     const [w, p, s] = [share.get(), chance.get(), size.get()];
     const k = iterations(w, s, 1 - p);
     result.replaceChildren(
-      make("strong", {}, `k = ${k.toLocaleString("en")} iterations`),
-      ` are needed: with ${percent(w)} inliers and samples of ${s} points, at least one sample ` +
+      make("strong", {}, `k = ${k.toLocaleString("en")} ${k === 1 ? "iteration" : "iterations"}`),
+      ` ${k === 1 ? "is" : "are"} needed: with ${percent(w)} inliers and samples of ${s} points, at least one sample ` +
         `is clean with a probability of at least ${chance.row.querySelector("select").selectedOptions[0].text}.`,
     );
     simulated.textContent = "";
@@ -111,9 +111,9 @@ function render({ el }) {
     const firsts = Array.from({ length: runs }, () => firstClean(w, s, 3 * k));
     const successes = firsts.filter((first) => first <= k).length;
     const expected = Math.round(runs * (1 - (1 - w ** s) ** k)); // more than runs * p: k is rounded up
+    const samples = k === 1 ? "the first sample" : `at least one of the first ${k.toLocaleString("en")} samples`;
     simulated.textContent =
-      `In ${successes} of ${runs} simulated runs, at least one of the first ` +
-      `${k.toLocaleString("en")} samples was clean (expected: about ${expected}).`;
+      `In ${successes} of ${runs} simulated runs, ${samples} was clean (expected: about ${expected}).`;
 
     const bins = Math.min(30, Math.ceil(1.5 * k));
     const width = Math.ceil((1.5 * k) / bins);
