@@ -21,7 +21,7 @@ def find_walls(
     `points` is an (N, 2) array in metres; `threshold`, `iterations` and `rng` are those of
     `ransac_line`. A wall is a pair of its line and the indices of its points, counted in
     `points`; each point belongs to at most one wall. The search ends when a line has
-    fewer than `min_points` points, or so few points are left.
+    fewer than `min_points` points, or when fewer than `min_points` points are left.
     """
     walls = []
     left = np.arange(len(points))  # the points that belong to no wall yet

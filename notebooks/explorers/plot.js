@@ -19,12 +19,21 @@ function draw(parent, tag, attributes, text) {
 }
 
 // JupyterLab's single-key shortcuts must not act on the notebook while a control has the focus.
+// Saving is passed on: nobody expects Ctrl+S to stop working.
 function openExplorer(el, label) {
   const root = make("section", {
     class: "explorer",
     role: "group",
     "aria-label": label,
     "data-lm-suppress-shortcuts": "true",
+  });
+  root.addEventListener("keydown", (event) => {
+    if ((event.ctrlKey || event.metaKey) && event.key.toLowerCase() === "s") {
+      event.preventDefault();
+      const { key, code, keyCode, ctrlKey, metaKey } = event;
+      const copy = { key, code, keyCode, ctrlKey, metaKey, bubbles: true, cancelable: true };
+      el.parentElement?.dispatchEvent(new KeyboardEvent("keydown", copy));
+    }
   });
   el.append(root);
   return root;

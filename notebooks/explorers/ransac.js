@@ -70,9 +70,9 @@ function render({ el }) {
     const [w, p, s] = [share.get(), chance.get(), size.get()];
     const k = iterations(w, s, 1 - p);
     result.replaceChildren(
-      make("strong", {}, `k = ${k.toLocaleString("en")} iterations`),
-      ` are needed: with ${percent(w)} inliers and samples of ${s} points, at least one sample ` +
-        `is clean with a probability of ${chance.row.querySelector("select").selectedOptions[0].text}.`,
+      make("strong", {}, `k = ${k.toLocaleString("en")} ${k === 1 ? "iteration" : "iterations"}`),
+      ` ${k === 1 ? "is" : "are"} needed: with ${percent(w)} inliers and samples of ${s} points, at least one sample ` +
+        `is clean with a probability of at least ${chance.row.querySelector("select").selectedOptions[0].text}.`,
     );
     simulated.textContent = "";
     histogram.replaceChildren();
@@ -110,9 +110,10 @@ function render({ el }) {
     const runs = k > PATIENCE ? RUNS / 10 : RUNS;
     const firsts = Array.from({ length: runs }, () => firstClean(w, s, 3 * k));
     const successes = firsts.filter((first) => first <= k).length;
+    const expected = Math.round(runs * (1 - (1 - w ** s) ** k)); // more than runs * p: k is rounded up
+    const samples = k === 1 ? "the first sample" : `at least one of the first ${k.toLocaleString("en")} samples`;
     simulated.textContent =
-      `In ${successes} of ${runs} simulated runs, at least one of the first ` +
-      `${k.toLocaleString("en")} samples was clean (expected: about ${Math.round(runs * p)}).`;
+      `In ${successes} of ${runs} simulated runs, ${samples} was clean (expected: about ${expected}).`;
 
     const bins = Math.min(30, Math.ceil(1.5 * k));
     const width = Math.ceil((1.5 * k) / bins);
@@ -124,7 +125,7 @@ function render({ el }) {
     const { picture, layer, toX, toY } = plot({
       width: 560,
       height: 240,
-      label: `Histogram: most runs draw their first clean sample long before iteration ${k}.`,
+      label: `Histogram of the first clean samples; the line stands at k = ${k.toLocaleString("en")}.`,
       x: { low: 0, high: bins * width, label: "iteration that drew the first clean sample" },
       y: { low: 0, high: Math.max(...counts, 1) * 1.05, label: "runs" },
     });

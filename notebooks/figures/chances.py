@@ -55,8 +55,8 @@ def waiting_times(
 ) -> None:
     """Draw how many samples many runs needed until the first without an outlier.
 
-    `claimed` is the student's number of iterations; the share of runs that were done by then is
-    written beside it, once it is a number.
+    `claimed` is the student's number of iterations; the share of runs that were done by then, or
+    by the end of the picture, is written above it, once it is a number.
     """
     longest = 5 * 5**size
     first = np.full(runs, np.inf)
@@ -81,6 +81,14 @@ def waiting_times(
             f"{share:.1%} of the runs had a clean sample within your {value:g} iterations"
         )
         text += f" Within {value:g} samples, {share:.1%} of the runs were done."
+    elif value is not None and value > longest:
+        share = float((first <= longest).mean())
+        beyond = (
+            f"Your {value:.10g} lies beyond the picture: "
+            f"{share:.1%} of the runs were done by {longest}."
+        )
+        axes.set_title(beyond)
+        text += f" {beyond}"
     else:
         axes.set_title("Where must the line stand, so that 95 % of the runs lie to its left?")
     show(fig, text)

@@ -15,7 +15,10 @@
 # - find lines and planes among mostly wrong measurements, and compute how long that takes,
 # - draw a map of a building from what a laser saw.
 #
-# You need linear algebra, a little calculus, and Python with NumPy. You need no robotics.
+# You need linear algebra, a little calculus, a little probability, and Python with NumPy. You need no
+# robotics.
+#
+# The questions follow an exercise sheet of a robotics lecture; where the course corrects it, it says so.
 
 # %% [markdown]
 # ## Is everything installed?
@@ -58,8 +61,13 @@ figures.three_senses(photographs["0503"], scans.ranges[161, :, np.newaxis] * bea
 # | expression | replace `...` by a formula of symbols |
 # | function | replace `raise NotImplementedError` by your code |
 #
-# Below a number, an expression or a function stands a cell `check(...)`. Run it: it tells you
-# what it made of your answer. Hints come one at a time, when you ask for them.
+# A cell `ask(...)` shows a question to click on. Run it, click, and press **Check**. Below a number, an
+# expression or a function stands a cell `check(...)`. Run it: it tells you what it made of your answer. While
+# `...` stands, it also shows a field, into which you may type a number or a formula instead; what a cell assigns
+# wins. Hints come one at a time, when you ask for them.
+#
+# Your copy of the course may not hold the answers to all questions. Then there is no button **Check**, or the result of
+# `check(...)` is *recorded*: your answer is stored, and marked after you have handed it in.
 #
 # Here is how a formula is written. First come the symbols, then an expression of them:
 

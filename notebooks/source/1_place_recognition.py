@@ -92,7 +92,7 @@ figures.compare_features(
 # centre to the mean of its points, and repeats. Each group is a **visual word**.
 #
 # A photograph can now be written as a list of words, and the list as a **histogram**: how often does
-# each word occur? This is the **bag of words**. As in a real bag, it is lost where each thing was.
+# each word occur? This is the **bag of words**. As in a real bag, the position of each thing is lost.
 # Photographs with similar bags are good candidates for the same place.
 #
 # ### The tree
@@ -108,15 +108,12 @@ figures.descriptor_space()
 # %% [markdown]
 # With ten children at each node and six levels there are a million words at the bottom, and yet a descriptor is compared
 # with only ten centres at each level: 60 comparisons instead of a million.
-
-# %% exercise="Q1.1"
-
-# %% [markdown]
+#
 # ### The inverted file and the votes
 #
 # A book's index lists for each word the pages on which it occurs. The **inverted file** does the same
 # for visual words: it lists for each word the images in which it occurs. To find out which images
-# share words with a new photograph, we open the index at the words of that photograph only.
+# share words with a new photograph, we look up the words of that photograph only: this is the **lookup**.
 #
 # Every image that is listed there gets a vote. The votes are counted in a **voting array** with one
 # entry for each image. The image with the most votes is the best candidate.
@@ -131,7 +128,10 @@ figures.descriptor_space()
 #
 # A new photograph has the words 0, 1 and 1. Word 0 gives a vote to A and to B, word 1 gives one to B, and the second word 1
 # another one to B. The voting array is A 1, B 3, C 0, and B is the best candidate.
-#
+
+# %% exercise="Q1.1"
+
+# %% [markdown]
 # ### All steps in order
 #
 # The next question is about the whole system. Three sets of images play a part:
@@ -140,7 +140,7 @@ figures.descriptor_space()
 # - the **model images**, the photographs of the places that shall be recognised;
 # - the **test image**, the photograph that the robot has just taken.
 #
-# Words are learnt once. The inverted file is filled once for each model image. The look-up happens
+# Words are learnt once. The inverted file is filled once for each model image. The lookup happens
 # again and again, with every new photograph. When the inverted file is filled we call the tree ready.
 
 # %% exercise="Q1.2"
@@ -223,7 +223,7 @@ figures.way_down(np.array([9.0, 1.0]), small_tree, descend_tree)
 
 # %% [markdown]
 # With your function every photograph becomes a list of words. (`@cache` keeps the result, so that each photograph is
-# looked at only once.) To find a word takes 8 comparisons at each of 3 levels, not 512.
+# looked at only once. If you change `descend_tree`, run the next cell again: it forgets the old words.) To find a word takes 8 comparisons at each of 3 levels, not 512.
 
 
 # %% demo=true
@@ -273,8 +273,8 @@ figures.search_results(queries, walk, votes_for, same, "votes")
 #
 # ### What a word is worth
 #
-# The word "the" tells nothing about what a text is about; the word "carburettor" tells a lot. A word is worth the more, the
-# fewer images it occurs in. If $M$ is the number of images and $M_i$ the number of images with word $i$, its
+# The word "the" tells nothing about what a text is about; the word "carburettor" tells a lot. The fewer images a word occurs
+# in, the more it is worth. If $M$ is the number of images and $M_i$ the number of images with word $i$, its
 # **weight** (*inverse document frequency*) is
 #
 # $$w_i = \ln \frac{M}{M_i}$$
@@ -308,7 +308,7 @@ figures.search_results(queries, walk, likeness_to, same, "likeness")
 # ## Palm trees
 #
 # Compare with the votes: the weights have repaired something. But look at the query 0513, the one with the
-# palm trees before a white building. Its first place is a different part of the campus, and *nothing in its bars* warns you:
+# palm trees in front of a white building. Its first place is a different part of the campus, and *nothing in its bars* warns you:
 # the winner looks like any other winner. A robot that believed it would tear its map apart.
 #
 # Leaves of palms look like leaves of palms, wherever they grow. The bag of words knows *that* they are there, but has lost

@@ -108,7 +108,7 @@ p = 0.95  # the probability of success that we want
 
 # %% [markdown]
 # When a point is drawn, it is an inlier with probability $w$. Strictly speaking, that changes a little once
-# a point was taken out: of the 999 that remain, 199 are inliers. The cloud is large, so we neglect that.
+# a point has been taken out: of the 999 that remain, 199 are inliers. The cloud is large, so we neglect that.
 #
 # **Make a guess before you compute**: with four outliers for every inlier, how many samples must be drawn to
 # be 95 % sure that one of them holds inliers only? A dozen? A hundred? Ten thousand? Change the number; the
@@ -143,6 +143,10 @@ figures.waiting_times(N, w, 2, iterations, np.random.default_rng(0))
 w = sp.Symbol("w", positive=True)
 
 # %% exercise="Q3.2.3a"
+
+# %% [markdown]
+# Back to numbers. `outlier_model` still holds the symbol; for the next question write the formula once more with the
+# number `w`.
 
 # %%
 w = 0.2
@@ -316,8 +320,8 @@ figures.corridor(world_x, world_y, scans.poses[:, :2])
 figures.corridor_walls(scans, find_walls, every=30, threshold=0.06, iterations=100, min_points=15)
 
 # %% [markdown]
-# A building of more than 200 metres, from random guesses. Where the map has gaps, which scans would you add? Where it has walls
-# too many, what would you ask of a wall before you believe in it?
+# A building of more than 200 metres, from random guesses. Where the map has gaps, which scans would you add? Where it has too many
+# walls, what would you ask of a wall before you believe in it?
 
 # %%
 progress()
@@ -332,4 +336,4 @@ progress()
 # - M. A. Fischler and R. C. Bolles, *Random sample consensus*, Communications of the ACM 24(6), 1981: where it began, with a
 #   camera that wanted to know where it was.
 # - D. Nister and H. Stewenius (CVPR 2006) and H. Stewenius, S. H. Gunderson and J. Pilet (ECCV 2012), from chapter 1:
-#   RANSAC is how candidates are verified there.
+#   RANSAC is how such candidates are usually verified.

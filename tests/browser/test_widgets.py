@@ -475,6 +475,39 @@ def test_the_explorer_of_ransac_follows_its_controls_and_simulates(sheet: Notebo
     expect(explorer.get_by_text("of 1000 simulated runs")).to_be_visible()
 
 
+@pytest.mark.parametrize(
+    ("share", "needed", "expected"),
+    [
+        # By hand: one clean sample of two has the probability 0.81, two have 1 - 0.19**2 = 0.9639.
+        ("0.9", "k = 2 iterations are needed", 964),
+        ("0.95", "k = 1 iteration is needed", 903),  # and here one is enough: 0.9025
+    ],
+)
+def test_the_explorer_of_ransac_expects_what_whole_iterations_promise(
+    sheet: Notebook, share: str, needed: str, expected: int
+):
+    explorer = sheet.page.get_by_role("group", name="Explorer: how many iterations RANSAC needs")
+    explorer.get_by_role("slider").fill(share)
+    explorer.get_by_role("combobox").first.select_option("0.9")
+    result = explorer.locator(".ex-result")
+    expect(result).to_contain_text(needed)
+    expect(result).to_contain_text("with a probability of at least 90 %")
+    explorer.get_by_role("button", name="Simulate").click()
+    expect(explorer.get_by_text(f"(expected: about {expected})")).to_be_visible()
+    # A standard deviation of 1000 runs is less than 10.
+    said = explorer.get_by_text("of 1000 simulated runs").inner_text()
+    assert abs(int(said.split()[1]) - expected) < 50
+
+
+@pytest.mark.parametrize("control", ["slider", "combobox", "button"])
+def test_the_keys_for_saving_save_from_within_an_explorer(sheet: Notebook, control: str):
+    explorer = sheet.page.get_by_role("group", name="Explorer: how many iterations RANSAC needs")
+    assert sheet.evaluate("panel.context.model.dirty")  # its cells have just been run
+    explorer.get_by_role(control).first.focus()
+    sheet.page.keyboard.press("Control+s")
+    sheet.wait_until_saved()
+
+
 def test_the_explorer_of_the_polar_line_shows_the_cost_of_the_line_that_is_dragged(
     sheet: Notebook,
 ):

@@ -1,6 +1,8 @@
 """Every picture shows itself once, says what it shows, and copes with functions not yet written."""
 
 import math
+import subprocess
+import sys
 from typing import Any
 
 import numpy as np
@@ -96,6 +98,31 @@ def test_a_picture_is_shown_once_with_a_text_and_returns_nothing(name, shown):
 def test_every_picture_of_the_course_is_among_those_tested():
     elsewhere = {"few_points", "keypoints", "compare_features", "word_patches"}  # need features
     assert set(figures.__all__) - elsewhere == {*PLAIN, *UNTOUCHED}
+
+
+def test_every_picture_is_found_under_its_name_and_offered_by_the_tab_key():
+    assert [getattr(figures, name).__name__ for name in figures.__all__] == figures.__all__
+    assert dir(figures) == figures.__all__
+    with pytest.raises(AttributeError, match="no picture 'hypotheis'"):
+        _ = figures.hypotheis
+
+
+def test_matplotlib_is_loaded_for_the_first_picture_and_not_before():
+    script = (
+        "import sys, data, autograder.student.api\n"
+        "from notebooks import explorers, figures\n"
+        "assert 'matplotlib' not in sys.modules\n"
+        "figures.hypothesis\n"
+        "assert 'matplotlib' in sys.modules"
+    )
+    subprocess.run([sys.executable, "-c", script], check=True)
+
+
+def test_a_guess_beyond_the_picture_is_answered_in_its_title(shown):
+    """By hand: with half of the points inliers, practically all runs are done by 125 samples."""
+    figures.waiting_times(1000, 0.5, 2, 10_000, rng(), runs=1000)
+    alt = shown[0]["metadata"]["alt"]
+    assert "Your 10000 lies beyond the picture: 100.0% of the runs were done by 125." in alt
 
 
 def test_an_error_in_a_student_s_function_is_not_hidden(shown):
