@@ -254,7 +254,11 @@ class Host:
         ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
         with theirs, open(self._folder / "errors", "wb") as errors:
             process = subprocess.Popen(
-                [*prefix, sys.executable, "-m", "autograder.sandbox.zygote", str(theirs.fileno())],
+                [
+                    *prefix,
+                    *(sys.executable, "-P", "-m", "autograder.sandbox.zygote"),
+                    str(theirs.fileno()),
+                ],
                 stdin=subprocess.DEVNULL,
                 stdout=subprocess.DEVNULL,
                 stderr=errors,
@@ -316,9 +320,13 @@ def compile_libraries() -> None:
     if Path(compiled).exists() and font_folder() is not None:
         return
     environment = {k: v for k, v in os.environ.items() if k != "PYTHONDONTWRITEBYTECODE"}
+    environment["PYTHONPATH"] = str(_PACKAGE.parent)
     with suppress(subprocess.TimeoutExpired, OSError):
         subprocess.run(
-            [sys.executable, "-m", "autograder.sandbox.warm"],
+            # This runs with the instructor's rights, so nothing may be imported from the current
+            # folder, which may hold what students handed in.
+            [sys.executable, "-P", "-m", "autograder.sandbox.warm"],
+            cwd="/",
             env=environment,
             stdin=subprocess.DEVNULL,
             stdout=subprocess.DEVNULL,

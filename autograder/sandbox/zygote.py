@@ -91,7 +91,7 @@ class Zygote:
         self._sweep()
         _bring_font_list(self._work)
         os.chdir(self._work / "notebooks")
-        self._notebook = warm()
+        self._notebook = warm(with_course=True)
         gc.freeze()  # the collector would write into every page and so copy it in each fork
         self._filter = (
             seccomp.build_filter(refuse_thread_signals=not landlock.confines_signals())
