@@ -162,7 +162,7 @@ class Zygote:
         sys.path.insert(0, "")
         ruleset = (
             landlock.Ruleset(
-                readable=[*how.readable, "/dev/urandom", "/dev/random", "/dev/zero"],
+                readable=[*how.readable, "/dev/urandom", "/dev/random"],
                 changeable=[how.scratch, "/dev/null"],
             )
             if how.use_landlock

@@ -30,6 +30,23 @@ def test_memory_in_many_processes_is_counted_together(session):
     assert report["understood"] == {"b": "2"}
 
 
+@pytest.mark.parametrize(
+    "code",
+    [
+        "mmap.mmap(-1, 4096)",
+        "mmap.mmap(-1, 4096, flags=mmap.MAP_SHARED | mmap.MAP_ANONYMOUS | 0x4000)",
+        "mmap.mmap(os.open('/dev/zero', os.O_RDONLY), 4096, prot=mmap.PROT_READ)",
+        "os.memfd_create('m')",
+        "open('/dev/shm/m', 'w')",
+    ],
+)
+def test_there_is_no_memory_that_no_process_is_charged_for(lab, code):
+    """Shared pages that nobody has mapped at the moment are in no process's count."""
+    assert lab.error(f"import mmap, os\n{code}") in ("PermissionError", "FileNotFoundError")
+    private = "import mmap\nmine = mmap.mmap(-1, 4096, flags=mmap.MAP_PRIVATE)\nfound = len(mine)"
+    assert lab.value(private) == "4096"
+
+
 def test_a_fork_bomb_runs_into_its_limit(session):
     code = "import os\nwhile True:\n    try: os.fork()\n    except OSError: pass"
     report = session.run([code, "b = 2"], ["b"])
