@@ -27,6 +27,7 @@ _PACKAGE = Path(autograder.__file__).parent
 _WARM_SECONDS = 120.0
 _ANSWER_SECONDS = 15.0
 _FIRST_IDENTITY, _IDENTITIES = 61200, 4000  # user ids that Linux distributions leave alone
+_SPARE_PROCESSES = 256  # what an instructor may start while a notebook runs
 _slots = count()
 
 
@@ -336,19 +337,19 @@ def compile_libraries() -> None:
         )
 
 
-def limits(settings: Settings, processes: int | None = None) -> dict[str, Any]:
+def limits(settings: Settings) -> dict[str, Any]:
     """What one notebook may use, for the kernel and for the zygote's own look."""
-    processes = processes or settings.processes
     return {
         "limits": {
             "memory_mb": settings.memory_mb,
             "cpu_seconds": int(settings.notebook_seconds) + 10,
-            "processes": processes + 1,
+            "processes": settings.processes + 1,
+            "spare": _SPARE_PROCESSES,
             "file_mb": settings.files_mb,
         },
         "usage": {
             "memory_mb": settings.memory_mb,
-            "processes": processes,
+            "processes": settings.processes,
             "files": settings.files,
             "files_mb": settings.files_mb,
         },

@@ -66,6 +66,21 @@ def all_processes() -> list[int]:
     return [int(name) for name in os.listdir("/proc") if name.isdigit()]
 
 
+def tasks_of(user: int) -> int:
+    """How many processes and threads a user has, as the kernel counts them for its limit."""
+    count = 0
+    for process in all_processes():
+        with suppress(OSError, StopIteration, ValueError, IndexError):
+            lines = Path(f"/proc/{process}/status").read_text(errors="replace").splitlines()
+            if int(_field(lines, "Uid:")) == user:
+                count += int(_field(lines, "Threads:"))
+    return count
+
+
+def _field(lines: list[str], name: str) -> str:
+    return next(line.split()[1] for line in lines if line.startswith(name))
+
+
 class Usage:
     """What the processes of one notebook use together, seen from the process that forked them."""
 

@@ -29,7 +29,7 @@ from pathlib import Path
 from typing import Any
 
 from autograder.sandbox import landlock, lockdown, seccomp
-from autograder.sandbox.processes import Usage, end_all_others
+from autograder.sandbox.processes import Usage, end_all_others, tasks_of
 from autograder.sandbox.serve import prepare_process, serve
 from autograder.sandbox.warm import warm
 
@@ -138,6 +138,8 @@ class Zygote:
 
     def _start(self, message: dict[str, Any], descriptor: int) -> None:
         limits = lockdown.Limits(**message["limits"])
+        if not self._how.alone and not self._how.identity:  # as the instructor, who runs more
+            limits = limits.beside(tasks_of(os.getuid()))
         self._number = message["start"]
         self._usage.begin(message["usage"])
         child = os.fork()
