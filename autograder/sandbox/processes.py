@@ -107,7 +107,10 @@ class Usage:
             exact = sum(_proportional(process) for process in processes)
             if exact > memory_mb * 2**20 + self._at_start:
                 return f"it used more than {memory_mb} MB of memory"
-        files, size = self._files()
+        try:
+            files, size = self._files()
+        except OSError:
+            return "it made folders too deep to look into, or closed them"
         if files - self._files_at_start > self._limits["files"]:
             return f"it made more than {self._limits['files']} files"
         if size > self._limits["files_mb"] * 2**20:
@@ -120,18 +123,28 @@ class Usage:
         return descendants(self._own)
 
     def _files(self) -> tuple[int, int]:
-        """How many files there are, and their bytes where the file system does not limit them."""
+        """How many files there are, and their bytes where the file system does not limit them.
+
+        Raises:
+            OSError: if a folder cannot be looked into.
+        """
         if self._alone:
             state = os.statvfs(self._work)
             return state.f_files - state.f_ffree, 0
         count = size = 0
-        for folder, folders, names in os.walk(self._work):
-            count += len(names) + len(folders)
-            for name in names:
-                with suppress(OSError):
-                    size += os.lstat(os.path.join(folder, name)).st_blocks * 512
-            if count > self._limits["files"]:
-                break
+        todo = [str(self._work)]  # a list, because folders may be too deep for recursion
+        while todo and count <= self._limits["files"]:
+            try:
+                with os.scandir(todo.pop()) as entries:
+                    for entry in entries:
+                        count += 1
+                        if entry.is_dir(follow_symlinks=False):
+                            todo.append(entry.path)
+                        else:
+                            with suppress(OSError):  # removed meanwhile
+                                size += entry.stat(follow_symlinks=False).st_blocks * 512
+            except (FileNotFoundError, NotADirectoryError):
+                pass  # removed meanwhile
         return count, size
 
 

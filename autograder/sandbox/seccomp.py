@@ -77,6 +77,7 @@ _REFUSED: dict[str, tuple[int | None, int | None]] = {
     "setgroups": (116, 159),
     "setfsuid": (122, 151),
     "setfsgid": (123, 152),
+    "setxattrat": (463, 463),
     "capset": (126, 91),
     # memory and queues that no limit counts or that outlive the process
     "memfd_create": (319, 279),

@@ -30,6 +30,7 @@ from typing import Any
 
 from autograder.sandbox import landlock, lockdown, seccomp
 from autograder.sandbox.processes import Usage, end_all_others, tasks_of
+from autograder.sandbox.removal import empty
 from autograder.sandbox.serve import prepare_process, serve
 from autograder.sandbox.warm import warm
 
@@ -199,7 +200,7 @@ class Zygote:
         end_all_others(everything=self._how.alone or bool(self._how.identity))
         self._child = 0
         os.chdir("/")
-        _empty(Path(self._how.scratch))
+        empty(Path(self._how.scratch))
         for folder in ("notebooks", "responses", "tmp"):
             (self._work / folder).mkdir(parents=True)
         notebooks = Path(self._how.notebooks)
@@ -221,33 +222,6 @@ def _why(status: int) -> str:
     if os.WEXITSTATUS(status) == _NOT_CONFINED:
         return "it could not be confined"
     return "it ended its own process"
-
-
-def _empty(folder: Path) -> None:
-    """Remove everything in a folder, however it was made to resist.
-
-    Raises:
-        OSError: if something is left; the grader then makes a new sandbox.
-    """
-    for entry in os.scandir(folder):
-        if entry.is_dir(follow_symlinks=False):
-            for _ in range(2):
-                with suppress(OSError, RecursionError):
-                    shutil.rmtree(entry.path)
-                    break
-                _allow_everything(entry.path)
-        else:
-            os.unlink(entry.path)
-    if any(os.scandir(folder)):
-        raise OSError("the scratch folder cannot be emptied")
-
-
-def _allow_everything(top: str) -> None:
-    os.chmod(top, 0o700)
-    for folder, names, _ in os.walk(top):
-        for name in names:
-            with suppress(OSError):
-                os.chmod(os.path.join(folder, name), 0o700, follow_symlinks=False)
 
 
 def _bring_font_list(work: Path) -> None:
