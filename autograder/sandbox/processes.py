@@ -6,6 +6,7 @@ import os
 import resource
 import signal
 import time
+from collections.abc import Iterator
 from contextlib import suppress
 from pathlib import Path
 
@@ -68,17 +69,22 @@ def all_processes() -> list[int]:
 
 def tasks_of(user: int) -> int:
     """How many processes and threads a user has, as the kernel counts them for its limit."""
-    count = 0
+    return sum(int(status["Threads"][0]) for status in _statuses() if int(status["Uid"][0]) == user)
+
+
+def users() -> set[int]:
+    """The ids of all users who have a process that can be seen from here."""
+    return {int(id) for status in _statuses() for id in status["Uid"]}
+
+
+def _statuses() -> Iterator[dict[str, list[str]]]:
+    """What the kernel says of each process, by its name for it."""
     for process in all_processes():
-        with suppress(OSError, StopIteration, ValueError, IndexError):
+        with suppress(OSError):
             lines = Path(f"/proc/{process}/status").read_text(errors="replace").splitlines()
-            if int(_field(lines, "Uid:")) == user:
-                count += int(_field(lines, "Threads:"))
-    return count
-
-
-def _field(lines: list[str], name: str) -> str:
-    return next(line.split()[1] for line in lines if line.startswith(name))
+            status = {name: text.split() for name, _, text in (s.partition(":") for s in lines)}
+            if status.keys() >= {"Uid", "Threads"}:
+                yield status
 
 
 class Usage:
