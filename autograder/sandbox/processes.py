@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import resource
 import signal
+import stat
 import time
 from collections.abc import Iterator
 from contextlib import suppress
@@ -117,6 +118,8 @@ class Usage:
             files, size = self._files()
         except OSError:
             return "it made folders too deep to look into, or closed them"
+        if not self._alone:
+            size += _nameless(processes, self._work)
         if files - self._files_at_start > self._limits["files"]:
             return f"it made more than {self._limits['files']} files"
         if size > self._limits["files_mb"] * 2**20:
@@ -152,6 +155,25 @@ class Usage:
             except (FileNotFoundError, NotADirectoryError):
                 pass  # removed meanwhile
         return count, size
+
+
+def _nameless(processes: list[int], work: Path) -> int:
+    """The bytes of files that were removed but are still open or mapped."""
+    sizes: dict[int, int] = {}
+    for process in processes:
+        with suppress(OSError):
+            for descriptor in os.scandir(f"/proc/{process}/fd"):
+                with suppress(OSError):
+                    found = descriptor.stat()
+                    if stat.S_ISREG(found.st_mode) and found.st_nlink == 0:
+                        sizes[found.st_ino] = found.st_blocks * 512
+        with suppress(OSError):
+            for line in Path(f"/proc/{process}/maps").read_bytes().splitlines():
+                if line.endswith(b" (deleted)") and os.fsencode(work) in line:
+                    addresses, _, _, _, inode, *_ = line.split()
+                    start, _, end = addresses.partition(b"-")
+                    sizes.setdefault(int(inode), int(end, 16) - int(start, 16))
+    return sum(sizes.values())
 
 
 def _resident(process: int) -> int:

@@ -144,7 +144,8 @@ _REFUSED: dict[str, tuple[int | None, int | None]] = {
     "listmount": (458, 458),
 }
 _CLONE, _CLONE3, _IOCTL, _PRLIMIT, _TGKILL = (56, 220), (435, 435), (16, 29), (302, 261), (234, 131)
-_MMAP, _FCNTL = (9, 222), (72, 25)
+_MMAP, _FCNTL, _PRCTL = (9, 222), (72, 25), (157, 167)
+_SET_DUMPABLE = 4
 _NAMESPACES = 0x7E020000  # every CLONE_NEW... flag that clone knows
 _TYPING = (0x5412, 0x541C, 0x5423)  # TIOCSTI, TIOCLINUX, TIOCSETD: typing into a terminal
 # Who owns a descriptor is sent any signal that is set for it, a kill without `kill`:
@@ -198,6 +199,10 @@ def build_filter(refuse_thread_signals: bool = False) -> bytes | None:
         program += _for_call(call, checks)
     program += _for_call(  # its own limits only
         _PRLIMIT[column], [_load_argument(0), _do(_EQUAL, 0, then=1), refuse]
+    )
+    # The zygote must go on seeing what its children hold.
+    program += _for_call(
+        _PRCTL[column], [_load_argument(0), _do(_EQUAL, _SET_DUMPABLE, otherwise=1), refuse]
     )
     # Pages of shared memory that no process has mapped at the moment are in no process's count.
     program += _for_call(

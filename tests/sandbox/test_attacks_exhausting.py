@@ -70,6 +70,21 @@ def test_many_large_files_are_an_error(lab):
     assert lab.error(code) in ("OSError", "killed")
 
 
+@pytest.mark.parametrize("keep", ["file", "mapped(file)"])
+def test_files_without_a_name_count_too(lab, keep):
+    code = (
+        "import ctypes, os, time\nlibc = ctypes.CDLL(None)\nlibc.prctl(4, 0, 0, 0, 0)\n"
+        "def mapped(file):\n"
+        "    libc.mmap(None, ctypes.c_size_t(4 * 10**6), 3, 1, file.fileno(), ctypes.c_long(0))\n"
+        "    file.close()\n"
+        "kept = []\nfor _ in range(5):\n"
+        "    file = open('big', 'wb+')\n    file.write(bytes(4 * 10**6))\n    file.flush()\n"
+        f"    os.unlink('big')\n    kept.append({keep})\n"
+        "time.sleep(2)"
+    )
+    assert lab.error(code) in ("OSError", "killed")
+
+
 def test_many_files_are_stopped(lab):
     code = "import time\nfor n in range(10**6):\n    open(f'{n}', 'wb').close()"
     assert lab.error(code) in ("OSError", "killed", "timeout")

@@ -302,6 +302,7 @@ victim.kill()
         "libc.shmget(0, 4096, 0o1666)",
         'libc.mknod(b"dev", 0o60666, 1)',
         "libc.prctl(38, 0, 0, 0, 0)",  # no_new_privs off
+        "libc.prctl(4, 0, 0, 0, 0)",  # out of the zygote's sight
         "libc.fcntl(0, 0x5412)",
         'libc.ioctl(0, 0x5412, b"x")',  # typing into a terminal
         "libc.fcntl(os.pipe()[0], 8, os.getpid())",  # F_SETOWN
