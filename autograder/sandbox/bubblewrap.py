@@ -16,7 +16,8 @@ SCRATCH = Path("/scratch")
 FONTS = Path("/fonts")
 _SYSTEM = ("/usr", "/bin", "/sbin", "/lib", "/lib32", "/lib64", "/libx32", "/nix/store")
 _SYSTEM_FILES = ("/etc/ld.so.cache", "/etc/ld.so.conf", "/etc/localtime", "/etc/alternatives")
-_DEVICES = ("/dev/null", "/dev/zero", "/dev/full", "/dev/random", "/dev/urandom")
+# Not /dev/zero, which is memory that no process's count shows once it is mapped.
+_DEVICES = ("/dev/null", "/dev/full", "/dev/random", "/dev/urandom")
 _OPTIONS = ("--size", "--as-pid-1", "--perms")
 
 

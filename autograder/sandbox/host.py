@@ -10,8 +10,8 @@ import socket
 import subprocess
 import sys
 import time
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
-from itertools import count
 from pathlib import Path
 from typing import Any
 
@@ -20,14 +20,16 @@ from autograder.course import Settings
 from autograder.errors import AutograderError
 from autograder.sandbox import bubblewrap, landlock, seccomp
 from autograder.sandbox.channel import Channel
+from autograder.sandbox.identity import OwnIdentity
 from autograder.sandbox.own_folder import OwnFolder
 
 _SYSTEM_FILES = ("/etc/ld.so.cache", "/etc/localtime")
 _PACKAGE = Path(autograder.__file__).parent
 _WARM_SECONDS = 120.0
 _ANSWER_SECONDS = 15.0
-_FIRST_IDENTITY, _IDENTITIES = 61200, 4000  # user ids that Linux distributions leave alone
-_slots = count()
+_SPARE_PROCESSES = 256  # what an instructor may start while a notebook runs
+# A sandbox ends with the thread that started it; this one lives as long as the process.
+_starter = ThreadPoolExecutor(1, "sandbox-starter")
 
 
 class HostError(AutograderError):
@@ -35,7 +37,7 @@ class HostError(AutograderError):
 
 
 class Host:
-    """One zygote in its isolation. Start it on a thread that lives as long as it does.
+    """One zygote in its isolation.
 
     ``with_namespaces`` asks for bubblewrap; without, only Landlock, seccomp and limits hold student
     code.
@@ -46,18 +48,18 @@ class Host:
         self._number = 0
         self._ready = False
         self.is_stopped = False
+        self._own_identity = OwnIdentity()
+        self._identity = self._own_identity.number
         self._own_folder = OwnFolder()
         self._folder = self._own_folder.path
-        # A slot has a user id of its own, so that one slot's processes do not count in another.
-        slot = (os.getpid() * 16 + next(_slots)) % _IDENTITIES
-        self._identity = _FIRST_IDENTITY + slot if os.geteuid() == 0 else 0
-        stage(root, self._folder)
-        compile_libraries()
         try:
+            stage(root, self._folder)
+            compile_libraries()
             start = self._start_inside if with_namespaces else self._start_beside
             self._process, self._control = start(root)
         except BaseException:
             self._own_folder.remove()
+            self._own_identity.release()
             raise
 
     def wait_until_ready(self) -> None:
@@ -136,6 +138,7 @@ class Host:
             self._process.wait()
         self._control.close()
         self._own_folder.remove()
+        self._own_identity.release()
 
     def _expect(self, answer: dict[str, Any]) -> None:
         deadline = time.monotonic() + _ANSWER_SECONDS
@@ -189,7 +192,7 @@ class Host:
             environment["AUTOGRADER_FONT_LIST"] = str(bubblewrap.FONTS)
         for name, value in environment.items():
             command += ["--setenv", name, value]
-        return self._start([*command, "--"], set_up, environment={})
+        return self._start([*command, "--"], set_up, {})
 
     def _start_beside(self, root: Path) -> tuple[subprocess.Popen[bytes], socket.socket]:
         if landlock.version() == 0:
@@ -251,10 +254,19 @@ class Host:
     def _start(
         self, prefix: list[str], set_up: dict[str, Any], environment: dict[str, str]
     ) -> tuple[subprocess.Popen[bytes], socket.socket]:
+        return _starter.submit(self._start_process, prefix, set_up, environment).result()
+
+    def _start_process(
+        self, prefix: list[str], set_up: dict[str, Any], environment: dict[str, str]
+    ) -> tuple[subprocess.Popen[bytes], socket.socket]:
         ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
         with theirs, open(self._folder / "errors", "wb") as errors:
             process = subprocess.Popen(
-                [*prefix, sys.executable, "-m", "autograder.sandbox.zygote", str(theirs.fileno())],
+                [
+                    *prefix,
+                    *(sys.executable, "-P", "-m", "autograder.sandbox.zygote"),
+                    str(theirs.fileno()),
+                ],
                 stdin=subprocess.DEVNULL,
                 stdout=subprocess.DEVNULL,
                 stderr=errors,
@@ -316,9 +328,13 @@ def compile_libraries() -> None:
     if Path(compiled).exists() and font_folder() is not None:
         return
     environment = {k: v for k, v in os.environ.items() if k != "PYTHONDONTWRITEBYTECODE"}
+    environment["PYTHONPATH"] = str(_PACKAGE.parent)
     with suppress(subprocess.TimeoutExpired, OSError):
         subprocess.run(
-            [sys.executable, "-m", "autograder.sandbox.warm"],
+            # This runs with the instructor's rights, so nothing may be imported from the current
+            # folder, which may hold what students handed in.
+            [sys.executable, "-P", "-m", "autograder.sandbox.warm"],
+            cwd="/",
             env=environment,
             stdin=subprocess.DEVNULL,
             stdout=subprocess.DEVNULL,
@@ -328,19 +344,19 @@ def compile_libraries() -> None:
         )
 
 
-def limits(settings: Settings, processes: int | None = None) -> dict[str, Any]:
+def limits(settings: Settings) -> dict[str, Any]:
     """What one notebook may use, for the kernel and for the zygote's own look."""
-    processes = processes or settings.processes
     return {
         "limits": {
             "memory_mb": settings.memory_mb,
             "cpu_seconds": int(settings.notebook_seconds) + 10,
-            "processes": processes + 1,
+            "processes": settings.processes + 1,
+            "spare": _SPARE_PROCESSES,
             "file_mb": settings.files_mb,
         },
         "usage": {
             "memory_mb": settings.memory_mb,
-            "processes": processes,
+            "processes": settings.processes,
             "files": settings.files,
             "files_mb": settings.files_mb,
         },

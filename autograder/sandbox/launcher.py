@@ -37,7 +37,7 @@ class SandboxError(AutograderError):
 
 
 class Sandbox:
-    """One worker slot; enter it on the main thread, use its sessions from one thread at a time.
+    """One worker slot; use its sessions from one thread at a time.
 
     ``isolation`` names what keeps student code in, for reports. It may be chosen: ``auto`` takes
     the best of ``bubblewrap`` and ``reduced`` that works here, ``none`` is nothing but a process

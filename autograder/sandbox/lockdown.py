@@ -6,7 +6,7 @@ import ctypes
 import os
 import resource
 import signal
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from autograder.sandbox import seccomp
@@ -21,12 +21,21 @@ _READ_EVERYWHERE = 1 << 2  # CAP_DAC_READ_SEARCH
 
 @dataclass(frozen=True)
 class Limits:
-    """What one process of student code may use; ``processes`` holds for all of them together."""
+    """What one process of student code may use; ``processes`` holds for all of them together.
+
+    The kernel counts all that a user runs. Where that is more than student code, `beside` adds what
+    runs already and ``spare``, for what the user starts meanwhile.
+    """
 
     memory_mb: int
     cpu_seconds: int
     processes: int
+    spare: int
     file_mb: int
+
+    def beside(self, tasks: int) -> Limits:
+        """The limits for a user who runs some tasks already."""
+        return replace(self, processes=self.processes + tasks + self.spare)
 
 
 def limit_resources(limits: Limits) -> None:

@@ -7,11 +7,12 @@ removes the folders whose lock nobody holds any more.
 from __future__ import annotations
 
 import os
-import shutil
 import tempfile
 import time
 from contextlib import suppress
 from pathlib import Path
+
+from autograder.sandbox.removal import remove
 
 try:
     import fcntl
@@ -44,7 +45,7 @@ class OwnFolder:
         if self._lock >= 0:
             os.close(self._lock)
             self._lock = -1
-        shutil.rmtree(self.path, ignore_errors=True)
+        remove(self.path)
 
 
 def _remove_abandoned() -> None:
@@ -62,6 +63,6 @@ def _remove_if_abandoned(folder: Path) -> None:
         settled = time.time() - os.fstat(lock).st_mtime > _SETTLED
         fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
         if settled:
-            shutil.rmtree(folder, ignore_errors=True)
+            remove(folder)
     finally:
         os.close(lock)

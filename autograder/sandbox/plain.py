@@ -15,6 +15,7 @@ from typing import Any
 from autograder.course import Course
 from autograder.sandbox import wire
 from autograder.sandbox.own_folder import OwnFolder
+from autograder.sandbox.removal import remove
 from autograder.sandbox.replies import clean_evaluation, clean_report
 from autograder.sandbox.stopped import Stopped
 
@@ -113,7 +114,7 @@ class PlainSession:
     def _start(self) -> None:
         work = self._folder / "notebooks"
         responses = self._folder / "responses"
-        shutil.rmtree(responses, ignore_errors=True)
+        remove(responses)
         responses.mkdir()
         environment = {
             "PATH": os.defpath,

@@ -5,7 +5,9 @@ from __future__ import annotations
 import os
 import resource
 import signal
+import stat
 import time
+from collections.abc import Iterator
 from contextlib import suppress
 from pathlib import Path
 
@@ -66,6 +68,26 @@ def all_processes() -> list[int]:
     return [int(name) for name in os.listdir("/proc") if name.isdigit()]
 
 
+def tasks_of(user: int) -> int:
+    """How many processes and threads a user has, as the kernel counts them for its limit."""
+    return sum(int(status["Threads"][0]) for status in _statuses() if int(status["Uid"][0]) == user)
+
+
+def users() -> set[int]:
+    """The ids of all users who have a process that can be seen from here."""
+    return {int(id) for status in _statuses() for id in status["Uid"]}
+
+
+def _statuses() -> Iterator[dict[str, list[str]]]:
+    """What the kernel says of each process, by its name for it."""
+    for process in all_processes():
+        with suppress(OSError):
+            lines = Path(f"/proc/{process}/status").read_text(errors="replace").splitlines()
+            status = {name: text.split() for name, _, text in (s.partition(":") for s in lines)}
+            if status.keys() >= {"Uid", "Threads"}:
+                yield status
+
+
 class Usage:
     """What the processes of one notebook use together, seen from the process that forked them."""
 
@@ -92,7 +114,12 @@ class Usage:
             exact = sum(_proportional(process) for process in processes)
             if exact > memory_mb * 2**20 + self._at_start:
                 return f"it used more than {memory_mb} MB of memory"
-        files, size = self._files()
+        try:
+            files, size = self._files()
+        except OSError:
+            return "it made folders too deep to look into, or closed them"
+        if not self._alone:
+            size += _nameless(processes, self._work)
         if files - self._files_at_start > self._limits["files"]:
             return f"it made more than {self._limits['files']} files"
         if size > self._limits["files_mb"] * 2**20:
@@ -105,19 +132,48 @@ class Usage:
         return descendants(self._own)
 
     def _files(self) -> tuple[int, int]:
-        """How many files there are, and their bytes where the file system does not limit them."""
+        """How many files there are, and their bytes where the file system does not limit them.
+
+        Raises:
+            OSError: if a folder cannot be looked into.
+        """
         if self._alone:
             state = os.statvfs(self._work)
             return state.f_files - state.f_ffree, 0
         count = size = 0
-        for folder, folders, names in os.walk(self._work):
-            count += len(names) + len(folders)
-            for name in names:
-                with suppress(OSError):
-                    size += os.lstat(os.path.join(folder, name)).st_blocks * 512
-            if count > self._limits["files"]:
-                break
+        todo = [str(self._work)]  # a list, because folders may be too deep for recursion
+        while todo and count <= self._limits["files"]:
+            try:
+                with os.scandir(todo.pop()) as entries:
+                    for entry in entries:
+                        count += 1
+                        if entry.is_dir(follow_symlinks=False):
+                            todo.append(entry.path)
+                        else:
+                            with suppress(OSError):  # removed meanwhile
+                                size += entry.stat(follow_symlinks=False).st_blocks * 512
+            except (FileNotFoundError, NotADirectoryError):
+                pass  # removed meanwhile
         return count, size
+
+
+def _nameless(processes: list[int], work: Path) -> int:
+    """The bytes of files that were removed but are still open or mapped."""
+    sizes: dict[int, int] = {}
+    for process in processes:
+        with suppress(OSError):
+            for descriptor in os.scandir(f"/proc/{process}/fd"):
+                with suppress(OSError):
+                    found = descriptor.stat()
+                    if stat.S_ISREG(found.st_mode) and found.st_nlink == 0:
+                        sizes[found.st_ino] = found.st_blocks * 512
+        with suppress(OSError):
+            for line in Path(f"/proc/{process}/maps").read_bytes().splitlines():
+                if line.endswith(b" (deleted)") and os.fsencode(work) in line:
+                    addresses, _, _, _, inode, *_ = line.split()
+                    start, _, end = addresses.partition(b"-")
+                    sizes.setdefault(int(inode), int(end, 16) - int(start, 16))
+    return sum(sizes.values())
 
 
 def _resident(process: int) -> int:

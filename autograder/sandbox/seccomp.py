@@ -1,8 +1,9 @@
 """A seccomp filter: system calls that student code has no use for fail with "not permitted".
 
-What is refused: other processes (ptrace, kill), programs (execve), the network, mounts, namespaces,
-memory and queues that outlive a process, priorities, and the kernel's wider surface. What is left
-is what Python, NumPy and matplotlib need.
+What is refused: other processes (ptrace, kill, signals through a descriptor's owner), programs
+(execve), the network, mounts, namespaces, memory and queues that no limit counts or that outlive a
+process, priorities, and the kernel's wider surface. What is left is what Python, NumPy and
+matplotlib need.
 """
 
 from __future__ import annotations
@@ -76,6 +77,7 @@ _REFUSED: dict[str, tuple[int | None, int | None]] = {
     "setgroups": (116, 159),
     "setfsuid": (122, 151),
     "setfsgid": (123, 152),
+    "setxattrat": (463, 463),
     "capset": (126, 91),
     # memory and queues that no limit counts or that outlive the process
     "memfd_create": (319, 279),
@@ -93,6 +95,10 @@ _REFUSED: dict[str, tuple[int | None, int | None]] = {
     "msgctl": (71, 187),
     "mq_open": (240, 180),
     "mq_unlink": (241, 181),
+    "io_setup": (206, 0),
+    "splice": (275, 76),  # a pipe keeps the pages that it was given
+    "tee": (276, 77),
+    "vmsplice": (278, 75),
     # the kernel
     "keyctl": (250, 219),
     "add_key": (248, 217),
@@ -138,8 +144,14 @@ _REFUSED: dict[str, tuple[int | None, int | None]] = {
     "listmount": (458, 458),
 }
 _CLONE, _CLONE3, _IOCTL, _PRLIMIT, _TGKILL = (56, 220), (435, 435), (16, 29), (302, 261), (234, 131)
+_MMAP, _FCNTL, _PRCTL = (9, 222), (72, 25), (157, 167)
+_SET_DUMPABLE = 4
 _NAMESPACES = 0x7E020000  # every CLONE_NEW... flag that clone knows
 _TYPING = (0x5412, 0x541C, 0x5423)  # TIOCSTI, TIOCLINUX, TIOCSETD: typing into a terminal
+# Who owns a descriptor is sent any signal that is set for it, a kill without `kill`:
+_OWNING_BY_IOCTL = (0x8901, 0x8902)  # FIOSETOWN, SIOCSPGRP
+_OWNING_BY_FCNTL = (8, 10, 15)  # F_SETOWN, F_SETSIG, F_SETOWN_EX
+_MAP_SHARED, _MAP_ANONYMOUS = 0x01, 0x20
 _ARCHITECTURES = {"x86_64": (0xC000003E, 0), "aarch64": (0xC00000B7, 1)}
 _X32 = 0x40000000
 
@@ -173,25 +185,36 @@ def build_filter(refuse_thread_signals: bool = False) -> bytes | None:
         program += [_do(_EQUAL, int(number or 0), otherwise=1), refuse]
     # The C library falls back to clone, whose flags can be looked at.
     program += [_do(_EQUAL, _CLONE3[column], otherwise=1), absent]
-    program += [
-        _do(_EQUAL, _CLONE[column], otherwise=4),
-        _do(_LOAD, _AT_ARGUMENTS),
-        _do(_ANY_BIT, _NAMESPACES, otherwise=1),
-        refuse,
-        _do(_RETURN, _ALLOW),
-    ]
-    program += [_do(_EQUAL, _IOCTL[column], otherwise=2 + 2 * len(_TYPING))]
-    program += [_do(_LOAD, _AT_ARGUMENTS + 8)]
-    for command in _TYPING:
-        program += [_do(_EQUAL, command, otherwise=1), refuse]
+    program += _for_call(
+        _CLONE[column],
+        [_load_argument(0), _do(_ANY_BIT, _NAMESPACES, otherwise=1), refuse],
+    )
+    for call, commands in (
+        (_IOCTL[column], _TYPING + _OWNING_BY_IOCTL),
+        (_FCNTL[column], _OWNING_BY_FCNTL),
+    ):
+        checks = [_load_argument(1)]
+        for command in commands:
+            checks += [_do(_EQUAL, command, otherwise=1), refuse]
+        program += _for_call(call, checks)
+    program += _for_call(  # its own limits only
+        _PRLIMIT[column], [_load_argument(0), _do(_EQUAL, 0, then=1), refuse]
+    )
+    # The zygote must go on seeing what its children hold.
+    program += _for_call(
+        _PRCTL[column], [_load_argument(0), _do(_EQUAL, _SET_DUMPABLE, otherwise=1), refuse]
+    )
+    # Pages of shared memory that no process has mapped at the moment are in no process's count.
+    program += _for_call(
+        _MMAP[column],
+        [
+            _load_argument(3),
+            _do(_ANY_BIT, _MAP_ANONYMOUS, otherwise=2),
+            _do(_ANY_BIT, _MAP_SHARED, otherwise=1),
+            refuse,
+        ],
+    )
     program += [_do(_RETURN, _ALLOW)]
-    program += [  # its own limits only
-        _do(_EQUAL, _PRLIMIT[column], otherwise=3),
-        _do(_LOAD, _AT_ARGUMENTS),
-        _do(_EQUAL, 0, then=1),
-        refuse,
-        _do(_RETURN, _ALLOW),
-    ]
     return b"".join(program)
 
 
@@ -215,6 +238,17 @@ def install(program: bytes) -> None:
 
 def _do(code: int, value: int, then: int = 0, otherwise: int = 0) -> bytes:
     return struct.pack("=HBBI", code, then, otherwise, value)
+
+
+def _load_argument(index: int) -> bytes:
+    """Load the low half of an argument: all that the kernel looks at in those compared here."""
+    return _do(_LOAD, _AT_ARGUMENTS + 8 * index)
+
+
+def _for_call(number: int, checks: list[bytes]) -> list[bytes]:
+    """Checks for one call only, which is allowed if none of them returns."""
+    checks = [*checks, _do(_RETURN, _ALLOW)]
+    return [_do(_EQUAL, number, otherwise=len(checks)), *checks]
 
 
 def _fail(number: int) -> bytes:

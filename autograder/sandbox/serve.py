@@ -5,9 +5,10 @@ It obeys the messages of one channel until that closes:
 - ``{"do": "run", "nonce", "cells", "names", "skip", "cell_seconds", "seconds"}`` runs a notebook.
   Before each cell ``{"nonce", "cell": index}`` goes back, at the end ``{"nonce", "reply": ...}``.
 - ``{"do": "evaluate", "nonce", "name", "probe", "seconds"}`` evaluates one response in a fork, so
-  that a crash or a hang costs one question and no question changes what the next one sees.
-  ``{"nonce", "reply": ...}`` or, if the fork ended without one, ``{"nonce", "ended_by": signal}``
-  goes back.
+  that a crash or a hang costs one question and no question changes the variables that the next one
+  sees. ``{"nonce", "reply": ...}`` or, if the fork ended without one, ``{"nonce", "ended_by":
+  signal}`` goes back. Files and processes that a response leaves stay until the notebook ends: this
+  process is the student's too and may end none.
 
 The nonce ties an answer to its question: what student code may have written into the channel before
 is passed over by the grader.

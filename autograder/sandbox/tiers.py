@@ -19,9 +19,10 @@ from autograder.sandbox.own_folder import OwnFolder
 from autograder.sandbox.wire import WireError
 
 _TRIAL_PROCESSES = 6
+_TRIAL_BOMB = 66  # so many would mean that there is no limit; what the user runs may vary meanwhile
 _TRIAL_SECONDS = 20.0
 _CELL = """
-import os, signal, socket, time
+import fcntl, os, socket, time
 def attempt(action):
     try:
         return action()
@@ -30,7 +31,7 @@ def attempt(action):
 def bomb():
     children = []
     try:
-        while len(children) < {processes} + 20:
+        while len(children) < {bomb}:
             child = os.fork()
             if child == 0:
                 time.sleep(60)
@@ -38,22 +39,32 @@ def bomb():
             children.append(child)
     except OSError:
         pass
-    return len(children) <= {processes} + 2
+    return len(children) < {bomb}
 def connect():
     with socket.socket() as line:
         line.settimeout(1)
         line.connect(("127.0.0.1", {port}))
     return True
+def send_a_signal():
+    try:
+        os.kill({grader}, 0)
+    except OSError:  # or else by owning a descriptor, whose owner can be sent any signal
+        fcntl.fcntl(socket.socketpair()[0], fcntl.F_SETOWN, {grader})
+    return True
 read_a_file = attempt(lambda: open({canary!r}).read())
 write_a_file = attempt(lambda: open({canary!r}, "w").write("x"))
 open_a_connection = attempt(connect)
-signal_the_grader = attempt(lambda: os.kill({grader}, 0))
+signal_the_grader = attempt(send_a_signal)
 start_a_program = attempt(lambda: os.execv("/bin/true", ["true"]))
-limited = attempt(bomb)
 def work():
     import numpy
-    return open("trial", "w").write("x") == 1 and numpy.arange(3).sum() == 3
+    child = os.fork()
+    if child == 0:
+        os._exit(7)
+    forked = os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]) == 7
+    return forked and open("trial", "w").write("x") == 1 and numpy.arange(3).sum() == 3
 works = attempt(work)
+limited = attempt(bomb)
 """
 # name: (what must have come out, what it means)
 TRIALS = {
@@ -69,7 +80,10 @@ TRIALS = {
     "signal_the_grader": (("ProcessLookupError", "PermissionError"), "the grader is out of reach"),
     "start_a_program": (("PermissionError", "FileNotFoundError"), "no program can be started"),
     "limited": (("True",), "the number of processes is limited"),
-    "works": (("True",), "numpy works and the working folder can be written"),
+    "works": (
+        ("True",),
+        "numpy works, a process can be forked and the working folder can be written",
+    ),
 }
 
 
@@ -200,9 +214,13 @@ def _try_to_get_out(host: Host, course: Course) -> dict[str, bool]:
             canary=str(canary),
             port=listener.getsockname()[1],
             grader=os.getpid(),
-            processes=_TRIAL_PROCESSES,
+            bomb=_TRIAL_BOMB,
         )
-        channel = host.open(limits(course.settings, _TRIAL_PROCESSES), seed=0)
+        allowed = limits(course.settings)
+        # Only the kernel's limit is tried: the zygote's own would end the trial.
+        allowed["limits"] |= {"processes": _TRIAL_PROCESSES + 1, "spare": 16}
+        allowed["usage"]["processes"] = 2 * _TRIAL_BOMB
+        channel = host.open(allowed, seed=0)
         try:
             deadline = time.monotonic() + _TRIAL_SECONDS
             message: dict[str, Any] = {

@@ -1,7 +1,7 @@
 """Imports and warms everything once, so that a fork starts with it.
 
-Run as a program it does the same outside of any sandbox, which makes Python keep the compiled
-modules where the sandbox, which writes nothing, finds them.
+Run as a program it does the same outside of any sandbox, but without the course, which makes Python
+keep the compiled modules where the sandbox, which writes nothing, finds them.
 """
 
 from __future__ import annotations
@@ -59,12 +59,15 @@ cv2.GaussianBlur(picture, (3, 3), 1); cv2.cvtColor(picture, cv2.COLOR_GRAY2BGR)
 _ASKING = "from autograder import ask, check, progress, submit\nprogress();"
 
 
-def warm() -> Notebook:
-    """An empty notebook in a process where everything is imported."""
+def warm(with_course: bool) -> Notebook:
+    """An empty notebook in a process where everything is imported.
+
+    Only in a sandbox ``with_course``, which imports what a folder of that name holds.
+    """
     for name in _LIBRARIES:
         with suppress(Exception):
             importlib.import_module(name)
-    for name in _course_modules():
+    for name in _course_modules() if with_course else ():
         with suppress(Exception):
             importlib.import_module(name)
     import cv2
@@ -72,7 +75,7 @@ def warm() -> Notebook:
     cv2.setNumThreads(1)  # its threads would not be there after a fork
     notebook = Notebook()
     notebook.run(list(_CELLS), ["f", "x", "figure"])
-    if _asks_in_its_notebooks():
+    if with_course and _asks_in_its_notebooks():
         notebook.run([_ASKING], [])
     notebook.forget()
     return notebook
@@ -97,4 +100,4 @@ def _asks_in_its_notebooks() -> bool:
 
 if __name__ == "__main__":
     sys.dont_write_bytecode = False
-    warm()
+    warm(with_course=False)

@@ -29,7 +29,8 @@ from pathlib import Path
 from typing import Any
 
 from autograder.sandbox import landlock, lockdown, seccomp
-from autograder.sandbox.processes import Usage, end_all_others
+from autograder.sandbox.processes import Usage, end_all_others, tasks_of
+from autograder.sandbox.removal import empty
 from autograder.sandbox.serve import prepare_process, serve
 from autograder.sandbox.warm import warm
 
@@ -91,7 +92,7 @@ class Zygote:
         self._sweep()
         _bring_font_list(self._work)
         os.chdir(self._work / "notebooks")
-        self._notebook = warm()
+        self._notebook = warm(with_course=True)
         gc.freeze()  # the collector would write into every page and so copy it in each fork
         self._filter = (
             seccomp.build_filter(refuse_thread_signals=not landlock.confines_signals())
@@ -138,6 +139,8 @@ class Zygote:
 
     def _start(self, message: dict[str, Any], descriptor: int) -> None:
         limits = lockdown.Limits(**message["limits"])
+        if not self._how.alone and not self._how.identity:  # as the instructor, who runs more
+            limits = limits.beside(tasks_of(os.getuid()))
         self._number = message["start"]
         self._usage.begin(message["usage"])
         child = os.fork()
@@ -162,7 +165,7 @@ class Zygote:
         sys.path.insert(0, "")
         ruleset = (
             landlock.Ruleset(
-                readable=[*how.readable, "/dev/urandom", "/dev/random", "/dev/zero"],
+                readable=[*how.readable, "/dev/urandom", "/dev/random"],
                 changeable=[how.scratch, "/dev/null"],
             )
             if how.use_landlock
@@ -197,7 +200,7 @@ class Zygote:
         end_all_others(everything=self._how.alone or bool(self._how.identity))
         self._child = 0
         os.chdir("/")
-        _empty(Path(self._how.scratch))
+        empty(Path(self._how.scratch))
         for folder in ("notebooks", "responses", "tmp"):
             (self._work / folder).mkdir(parents=True)
         notebooks = Path(self._how.notebooks)
@@ -219,33 +222,6 @@ def _why(status: int) -> str:
     if os.WEXITSTATUS(status) == _NOT_CONFINED:
         return "it could not be confined"
     return "it ended its own process"
-
-
-def _empty(folder: Path) -> None:
-    """Remove everything in a folder, however it was made to resist.
-
-    Raises:
-        OSError: if something is left; the grader then makes a new sandbox.
-    """
-    for entry in os.scandir(folder):
-        if entry.is_dir(follow_symlinks=False):
-            for _ in range(2):
-                with suppress(OSError, RecursionError):
-                    shutil.rmtree(entry.path)
-                    break
-                _allow_everything(entry.path)
-        else:
-            os.unlink(entry.path)
-    if any(os.scandir(folder)):
-        raise OSError("the scratch folder cannot be emptied")
-
-
-def _allow_everything(top: str) -> None:
-    os.chmod(top, 0o700)
-    for folder, names, _ in os.walk(top):
-        for name in names:
-            with suppress(OSError):
-                os.chmod(os.path.join(folder, name), 0o700, follow_symlinks=False)
 
 
 def _bring_font_list(work: Path) -> None:

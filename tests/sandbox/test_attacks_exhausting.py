@@ -30,6 +30,23 @@ def test_memory_in_many_processes_is_counted_together(session):
     assert report["understood"] == {"b": "2"}
 
 
+@pytest.mark.parametrize(
+    "code",
+    [
+        "mmap.mmap(-1, 4096)",
+        "mmap.mmap(-1, 4096, flags=mmap.MAP_SHARED | mmap.MAP_ANONYMOUS | 0x4000)",
+        "mmap.mmap(os.open('/dev/zero', os.O_RDONLY), 4096, prot=mmap.PROT_READ)",
+        "os.memfd_create('m')",
+        "open('/dev/shm/m', 'w')",
+    ],
+)
+def test_there_is_no_memory_that_no_process_is_charged_for(lab, code):
+    """Shared pages that nobody has mapped at the moment are in no process's count."""
+    assert lab.error(f"import mmap, os\n{code}") in ("PermissionError", "FileNotFoundError")
+    private = "import mmap\nmine = mmap.mmap(-1, 4096, flags=mmap.MAP_PRIVATE)\nfound = len(mine)"
+    assert lab.value(private) == "4096"
+
+
 def test_a_fork_bomb_runs_into_its_limit(session):
     code = "import os\nwhile True:\n    try: os.fork()\n    except OSError: pass"
     report = session.run([code, "b = 2"], ["b"])
@@ -50,6 +67,21 @@ def test_a_huge_file_is_an_error(lab):
 
 def test_many_large_files_are_an_error(lab):
     code = "for n in range(1000):\n    open(f'{n}', 'wb').write(bytes(10**6))"
+    assert lab.error(code) in ("OSError", "killed")
+
+
+@pytest.mark.parametrize("keep", ["file", "mapped(file)"])
+def test_files_without_a_name_count_too(lab, keep):
+    code = (
+        "import ctypes, os, time\nlibc = ctypes.CDLL(None)\nlibc.prctl(4, 0, 0, 0, 0)\n"
+        "def mapped(file):\n"
+        "    libc.mmap(None, ctypes.c_size_t(4 * 10**6), 3, 1, file.fileno(), ctypes.c_long(0))\n"
+        "    file.close()\n"
+        "kept = []\nfor _ in range(5):\n"
+        "    file = open('big', 'wb+')\n    file.write(bytes(4 * 10**6))\n    file.flush()\n"
+        f"    os.unlink('big')\n    kept.append({keep})\n"
+        "time.sleep(2)"
+    )
     assert lab.error(code) in ("OSError", "killed")
 
 

@@ -147,9 +147,26 @@ def test_nothing_of_another_submission_is_left(lab):
     assert lab.value(code) == "[]"
 
 
-def test_a_thousand_folders_in_each_other_are_swept_away(lab):
-    code = "import os\nfor _ in range(400):\n    os.mkdir('d' * 200); os.chdir('d' * 200)"
-    assert lab.error(code) is None
+@pytest.mark.parametrize(
+    "code",
+    [
+        "for _ in range(400):\n    os.mkdir('d' * 200); os.chdir('d' * 200)",
+        "for _ in range(3000):\n    os.mkdir('d'); os.chdir('d')",
+        "os.makedirs('../tmp/a/b/c'); os.chmod('../tmp/a/b/c', 0); os.chmod('../tmp/a/b', 0)",
+        "os.makedirs('a/b'); os.symlink('..', 'a/up'); os.symlink('/', 'a/b/top')\n"
+        "os.chmod('a/b', 0o500); os.chmod('a', 0o500)",
+        "os.chmod('../..', 0); os.chmod('..', 0); os.chmod('.', 0)",
+    ],
+)
+def test_folders_that_are_hard_to_remove_are_swept_away(lab, code):
+    assert lab.error("pass") is None
+    host = lab.sandbox._host
+    # Without a file system of its own, folders that cannot be looked into end the notebook.
+    assert lab.error(f"import os\n{code}") in (None, "killed", "PermissionError")
+    assert lab.value("import os\nfound = os.listdir('../tmp'), os.path.exists('a')") == (
+        "([], False)"
+    )
+    assert lab.sandbox._host is host  # no new sandbox was needed
 
 
 def test_hidden_inputs_come_after_what_is_understood_was_said(session):
@@ -234,6 +251,35 @@ def test_no_process_outside_can_be_signalled(lab, target):
         bystander.wait()
 
 
+def test_no_signal_gets_out_through_a_descriptors_owner():
+    """By the filter alone, as on kernels whose Landlock does not confine signals."""
+    code = """
+import fcntl, os, signal, socket, subprocess, sys, time
+from autograder.sandbox import lockdown, seccomp
+victim = subprocess.Popen([sys.executable, "-c", "import time; time.sleep(60)"])
+attacker = os.fork()
+if attacker == 0:
+    lockdown.confine(None, seccomp.build_filter(refuse_thread_signals=True))
+    here, there = socket.socketpair()
+    for command, value in ((fcntl.F_SETSIG, 9), (fcntl.F_SETOWN, victim.pid)):
+        try:
+            fcntl.fcntl(here, command, value)
+        except PermissionError:
+            pass
+    fcntl.fcntl(here, fcntl.F_SETFL, os.O_ASYNC)
+    there.send(b"x")
+    os._exit(0)
+os.waitpid(attacker, 0)
+try:
+    print(victim.wait(0.3))
+except subprocess.TimeoutExpired:
+    print("alive")
+victim.kill()
+"""
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
+    assert done.stdout == "alive\n"
+
+
 @pytest.mark.parametrize(
     "call",
     [
@@ -256,13 +302,25 @@ def test_no_process_outside_can_be_signalled(lab, target):
         "libc.shmget(0, 4096, 0o1666)",
         'libc.mknod(b"dev", 0o60666, 1)',
         "libc.prctl(38, 0, 0, 0, 0)",  # no_new_privs off
+        "libc.prctl(4, 0, 0, 0, 0)",  # out of the zygote's sight
         "libc.fcntl(0, 0x5412)",
         'libc.ioctl(0, 0x5412, b"x")',  # typing into a terminal
+        "libc.fcntl(os.pipe()[0], 8, os.getpid())",  # F_SETOWN
+        "libc.fcntl(os.pipe()[0], 10, 9)",  # F_SETSIG
+        "libc.fcntl(os.pipe()[0], 15, (ctypes.c_int * 2)(1, os.getpid()))",  # F_SETOWN_EX
+        "libc.ioctl(line.fileno(), 0x8901, pid)",  # FIOSETOWN
+        "libc.ioctl(line.fileno(), 0x8902, pid)",  # SIOCSPGRP
+        "libc.syscall(275, pipe[0], None, pipe[1], None, 0, 0)",  # splice
+        "libc.syscall(206, 1, (ctypes.c_long * 1)())",  # io_setup
     ],
 )
 @pytest.mark.skipif(os.uname().machine != "x86_64", reason="the numbers are those of x86_64")
 def test_the_kernel_refuses(lab, call):
-    code = f"import ctypes, os\nlibc = ctypes.CDLL(None, use_errno=True)\nfound = {call}"
+    code = (
+        "import ctypes, os, socket\nlibc = ctypes.CDLL(None, use_errno=True)\n"
+        "pipe, pid = os.pipe(), ctypes.byref(ctypes.c_int(os.getpid()))\n"
+        f"line, other = socket.socketpair()\nfound = {call}"
+    )
     assert lab.value(code) == "-1"
 
 

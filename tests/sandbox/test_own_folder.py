@@ -40,6 +40,15 @@ def held() -> tuple[subprocess.Popen[str], Path]:
     return process, folder
 
 
+def make_deep(folder: Path) -> None:
+    inner = os.open(folder, os.O_RDONLY)
+    for _ in range(3000):
+        os.mkdir("d", dir_fd=inner)
+        outer, inner = inner, os.open("d", os.O_RDONLY, dir_fd=inner)
+        os.close(outer)
+    os.close(inner)
+
+
 def end(process: subprocess.Popen[str]) -> None:
     process.kill()
     process.communicate()
@@ -48,6 +57,41 @@ def end(process: subprocess.Popen[str]) -> None:
 def test_a_folder_is_removed_with_all_that_is_in_it():
     with OwnFolder() as folder:
         (folder / "file").write_text("x")
+    assert not folder.exists()
+
+
+def test_folders_too_deep_for_recursion_are_removed():
+    with OwnFolder() as folder:
+        make_deep(folder)
+    assert not folder.exists()
+
+
+def test_a_deep_folder_that_a_killed_process_left_is_removed_by_the_next_one():
+    process, folder = held()
+    make_deep(folder)
+    end(process)
+    with OwnFolder():
+        assert not folder.exists()
+
+
+def test_what_links_lead_to_is_kept(temporary: Path):
+    kept = temporary / "kept"
+    kept.mkdir()
+    (kept / "file").write_text("x")
+    kept.chmod(0o555)
+    with OwnFolder() as folder:
+        (folder / "link").symlink_to(kept)
+        (folder / "inner").mkdir()
+        (folder / "inner" / "link").symlink_to(kept)
+    assert (kept / "file").read_text() == "x"
+    assert kept.stat().st_mode & 0o777 == 0o555
+
+
+def test_closed_folders_are_removed():
+    with OwnFolder() as folder:
+        (folder / "a" / "b" / "c").mkdir(parents=True)
+        (folder / "a" / "b").chmod(0)
+        (folder / "a").chmod(0)
     assert not folder.exists()
 
 
