@@ -58,3 +58,18 @@ def test_starting_a_sandbox_imports_nothing_from_the_current_folder(trapped, cou
     finally:
         started.stop()
     assert not trapped.exists()
+
+
+def test_the_command_imports_nothing_from_the_folder_in_which_it_is_started(tmp_path):
+    mark = tmp_path / "imported"
+    (tmp_path / "numpy.py").write_text(MARK.format(str(mark)))
+    done = subprocess.run(
+        [sys.executable, "-m", "autograder", "--help"],
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    assert "grade" in done.stdout
+    assert not mark.exists()
