@@ -6,6 +6,7 @@ import os
 import random
 import stat
 import tempfile
+import time
 import zipfile
 from pathlib import Path
 
@@ -229,6 +230,30 @@ def test_a_notebook_made_to_exhaust_memory_is_refused_and_the_grader_stays_small
 )
 def test_a_copy_belongs_to_its_chapter(tmp_path, name):
     assert list(read_zip(tmp_path, {name: notebook("k = 1")}).notebooks) == ["ransac"]
+
+
+@pytest.mark.parametrize(
+    "suffix",
+    ["-copy1" * 40, "-copy1" * 10_000, " (1)" * 10_000, "-copy" * 10_000, "- _" * 10_000,
+     "-" * 60_000 + "copy", "(1" * 30_000, "copy " + "1" * 60_000],
+    ids=lambda suffix: f"{suffix[:6]} {len(suffix)}",
+)  # fmt: skip
+def test_a_name_made_to_look_like_a_copy_in_many_ways_is_read_at_once(tmp_path, suffix):
+    began = time.monotonic()
+    books = {"3_ransac.ipynb": notebook("k = 1"), f"3_ransac{suffix}x.ipynb": notebook("k = 2")}
+    contents = read_zip(tmp_path, books)
+    assert time.monotonic() - began < 1
+    assert contents.notebooks["ransac"].cells == ["k = 1"]
+
+
+def test_a_copy_of_a_copy_belongs_to_its_chapter(tmp_path):
+    names = [
+        "3_ransac-Copy1 (2).ipynb",
+        "3_ransac (1) - Copy (3).ipynb",
+        "3_ransac(4)_copy_2.ipynb",
+    ]
+    for name in names:
+        assert list(read_zip(tmp_path, {name: notebook("k = 1")}).notebooks) == ["ransac"]
 
 
 def test_with_the_chapters_known_a_renamed_notebook_is_found(tmp_path):
