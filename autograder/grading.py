@@ -295,7 +295,10 @@ def _mark_named(
 
 
 def _defining_cell_failed(name: str, cells: list[str], report: dict[str, Any]) -> bool:
-    defines = re.compile(rf"^\s*(def\s+{name}\b|{name}\s*(:[^=\n]*)?=[^=])", re.MULTILINE)
+    # No \s: it takes line ends too, and a cell of empty lines would then be searched from each of
+    # them to the end, for minutes and with every other thread waiting.
+    name = re.escape(name)
+    defines = re.compile(rf"^[ \t]*(def[ \t]+{name}\b|{name}[ \t]*(:[^=\n]*)?=[^=])", re.MULTILINE)
     errors = report.get("errors")
     if not isinstance(errors, list):
         return False

@@ -3,6 +3,7 @@
 import csv
 import io
 import json
+import time
 import zipfile
 from pathlib import Path
 from typing import Any
@@ -128,6 +129,16 @@ def test_a_name_that_is_missing_because_its_cell_raised_is_an_error(tiny_course)
 def test_a_defining_cell_is_found_in_any_form(tiny_course, cell):
     marks = grade(tiny_course, Scripted({"errors": ["NameError"]}), kitchen(cell))
     assert list(statuses(marks)).count("error") == 1
+
+
+@pytest.mark.parametrize(
+    "filling", ["\n", " ", " \n", "\t\n ", "def\n", "def ", "eggs ", "eggs:\n"]
+)
+def test_a_long_cell_that_defines_nothing_is_searched_at_once(tiny_course, filling):
+    began = time.monotonic()
+    marks = grade(tiny_course, Scripted({"errors": ["E"]}), kitchen(filling * 100_000 + "1 / 0"))
+    assert time.monotonic() - began < 5
+    assert marks["Q1.3"].status == "not attempted"
 
 
 @pytest.mark.parametrize(
