@@ -4,14 +4,17 @@ from __future__ import annotations
 
 import re
 import time
+import traceback
 from collections.abc import Callable, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from contextlib import ExitStack
 from dataclasses import dataclass, replace
+from pathlib import PurePath
 from queue import SimpleQueue
 from typing import Any
 
 from autograder.course import Chapter, Course
+from autograder.errors import AutograderError
 from autograder.marker import Marker
 from autograder.marking import Mark, not_attempted, stopped
 from autograder.questions import Order, Question, TrueFalse
@@ -66,12 +69,20 @@ def grade_all(
         def grade(submission: Submission, contents: Contents) -> Graded:
             slot = slots.idle.get()
             began = time.monotonic()
+            fingerprint, notes = contents.fingerprint, tuple(contents.notes)
             try:
                 marks = grade_contents(contents, marker, slot, questions)
+            except AutograderError:
+                raise  # the course or this machine, not the submission
+            except Exception as error:
+                # No submission, whatever it did, may keep the others from being graded. Without a
+                # fingerprint it is not taken for graded, and the next run tries again.
+                said = _grader_failed(error)
+                marks = _all_marks(marker.course, "killed", said, questions)
+                fingerprint, notes = "", (*notes, said)
             finally:
                 slots.idle.put(slot)
             seconds = time.monotonic() - began
-            fingerprint, notes = contents.fingerprint, tuple(contents.notes)
             return Graded(submission, "graded", fingerprint, tuple(marks), notes, seconds)
 
         def report(graded: Graded) -> None:
@@ -88,6 +99,12 @@ def grade_all(
                     contents = read_submission(submission, marker.course.settings, names)
                 except Unreadable as unreadable:
                     done(_unreadable(submission, marker.course, str(unreadable), questions))
+                    continue
+                except AutograderError:
+                    raise
+                except Exception as error:
+                    failed = _grader_failed(error)
+                    done(_unreadable(submission, marker.course, failed, questions))
                     continue
                 before = known(submission.student, contents.fingerprint) if known else None
                 if before is not None:
@@ -154,12 +171,29 @@ def _report_finished(
 def _unreadable(
     submission: Submission, course: Course, reason: str, questions: frozenset[str] | None
 ) -> Graded:
-    marks = [
-        stopped(question, "unreadable", reason)
+    marks = _all_marks(course, "unreadable", reason, questions)
+    return Graded(submission, "unreadable", "", tuple(marks), (reason,))
+
+
+def _all_marks(
+    course: Course, status: str, reason: str, questions: frozenset[str] | None
+) -> list[Mark]:
+    """The same status for every question that is asked for."""
+    return [
+        stopped(question, status, reason)
         for question in course.questions.values()
         if questions is None or question.id in questions
     ]
-    return Graded(submission, "unreadable", "", tuple(marks), (reason,))
+
+
+def _grader_failed(error: Exception) -> str:
+    """A sentence on an error of the autograder's own, without its text: that may be a student's."""
+    place = traceback.extract_tb(error.__traceback__)[-1]
+    return (
+        f"The autograder itself failed on this submission ({type(error).__name__} in "
+        f"{PurePath(place.filename).name}, line {place.lineno}); the points say nothing about the "
+        "work. Mark it by hand, and report the failure."
+    )
 
 
 def grade_contents(

@@ -242,6 +242,61 @@ def test_grading_resumes_and_runs_again_only_what_changed(
     assert grades(out)["boole"]["total"] == "0.5"
 
 
+def test_an_error_of_the_graders_own_costs_one_submission_and_says_so(
+    tiny_course, handed_in, tmp_path, monkeypatch, capsys
+):
+    """Whatever a submission may yet find to break, the next one is graded."""
+    from autograder import grading
+
+    zipped(handed_in / "boole.zip", {"2_cellar.ipynb": tiny_course.solved_cells("2_cellar")})
+    zipped(handed_in / "cantor.zip", {"2_cellar.ipynb": tiny_course.solved_cells("2_cellar")})
+    zipped(handed_in / "dedekind.zip", {"2_cellar.ipynb": tiny_course.solved_cells("2_cellar")})
+    broken = {"boole", "cantor"}
+    read, mark = grading.read_submission, grading.grade_contents
+
+    def read_or_fail(submission: Any, *arguments: Any) -> Any:
+        if submission.student == "boole" and broken:
+            raise TypeError("the text of a student")
+        contents = read(submission, *arguments)
+        contents.notes.append(submission.student)
+        return contents
+
+    def mark_or_fail(contents: Any, *arguments: Any) -> Any:
+        if "cantor" in contents.notes and broken:
+            raise ValueError("the truth value of an array")
+        return mark(contents, *arguments)
+
+    monkeypatch.setattr(grading, "read_submission", read_or_fail)
+    monkeypatch.setattr(grading, "grade_contents", mark_or_fail)
+    out = tmp_path / "out"
+    command = ["--course", str(tiny_course.root), "grade", str(handed_in), "--out", str(out)]
+    assert main(command) == 0
+    totals = {student: row["total"] for student, row in grades(out).items()}
+    assert totals == {"ada": "19", "boole": "0", "cantor": "0", "dedekind": "1"}
+    pages = {name: (out / f"feedback/{name}.html").read_text("utf-8") for name in totals}
+    assert "The autograder itself failed on this submission (ValueError in" in pages["cantor"]
+    assert "The autograder itself failed on this submission (TypeError in" in pages["boole"]
+    assert "the text of a student" not in pages["boole"]
+    # It is not taken for graded: the next run tries again.
+    broken.clear()
+    assert main(command) == 0
+    assert [row["total"] for row in grades(out).values()] == ["19", "1", "1", "1"]
+
+
+def test_a_broken_machine_stops_the_run(tiny_course, handed_in, tmp_path, monkeypatch, capsys):
+    from autograder import grading
+    from autograder.sandbox.launcher import SandboxError
+
+    def fail(*arguments: Any) -> Any:
+        raise SandboxError("Nothing works here.")
+
+    monkeypatch.setattr(grading, "grade_contents", fail)
+    out = str(tmp_path / "out")
+    command = ["--course", str(tiny_course.root), "grade", str(handed_in), "--out", out]
+    assert main(command) == 1
+    assert "Nothing works here." in capsys.readouterr().err
+
+
 WRONG_USAGE = [
     ["grade"],
     ["mark", "x"],

@@ -37,7 +37,9 @@ def clean_report(reply: Any, cells: int) -> dict[str, Any]:
 def clean_evaluation(reply: Any) -> dict[str, Any]:
     """The reply to a probe, in the form that `autograder.sandbox.evaluate` describes."""
     reply = _dictionary(reply)
-    match reply.get("state"):
+    state = reply.get("state")
+    # An array in its place would raise on being compared.
+    match state if isinstance(state, str) else None:
         case "not attempted":
             return {"state": "not attempted"}
         case "raised":
@@ -89,9 +91,11 @@ def _class_name(value: Any) -> str:
 
 
 def _public_name(value: Any) -> str:
-    known = getattr(builtins, value, None) if isinstance(value, str) else None
+    if not isinstance(value, str):
+        return "Exception"
+    known = getattr(builtins, value, None)
     if value == "LinAlgError" or (isinstance(known, type) and issubclass(known, BaseException)):
-        return str(value)
+        return value
     return "Exception"
 
 

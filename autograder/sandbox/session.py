@@ -142,7 +142,7 @@ class Session:
             for _ in range(MAX_STRAY + len(self._cells)):
                 self._wait(min(deadline, cell_deadline))
                 answer = self._channel.receive(min(deadline, cell_deadline))
-                if not isinstance(answer, dict) or answer.get("nonce") != nonce:
+                if not _carries(answer, nonce):
                     continue
                 if "cell" not in answer:
                     return answer
@@ -177,7 +177,7 @@ class Session:
             raise EOFError
 
     def _note_cell(self, index: Any) -> None:
-        if isinstance(index, int) and 0 <= index < len(self._cells):
+        if type(index) is int and 0 <= index < len(self._cells):
             self._in_cell = index
 
     def _why_gone(self, error: Exception) -> str:
@@ -221,8 +221,22 @@ class Session:
             self._host.stop()
 
 
+def _carries(answer: Any, nonce: str) -> bool:
+    """Whether a message is the answer to the question with this nonce.
+
+    Student code may have put an array in the nonce's place, and that cannot be compared.
+    """
+    given = answer.get("nonce") if isinstance(answer, dict) else None
+    return isinstance(given, str) and given == nonce
+
+
 def _stop_by(number: Any) -> Stopped:
-    """What it means that the fork for one question ended without an answer."""
+    """What it means that the fork for one question ended without an answer.
+
+    ``number`` is the signal that ended it, or anything else that student code sent.
+    """
+    if type(number) is not int:
+        number = 0
     if number == signal.SIGALRM:
         return Stopped("timeout")
     if number == signal.SIGXCPU:

@@ -71,6 +71,59 @@ def test_an_answer_before_the_real_one_wins_nothing_that_an_answer_could_not(ses
     assert session.evaluate("k", NUMBER) == {"state": "given", "value": 5}
 
 
+ARRAY = """
+ones = '{"~": "array", "at": 0}'
+def frame_with_array(body):
+    text = ('{"body": ' + body + ', "arrays": [["<f8", [2]]]}').encode()
+    return struct.pack(">IQ", len(text), 16) + text + bytes(16)
+"""
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        "{'nonce': ARRAY}",
+        "{'nonce': NONCE, 'cell': ARRAY}",
+        "{'nonce': NONCE, 'reply': ARRAY}",
+        "{'nonce': NONCE, 'reply': {'errors': [ARRAY, ARRAY], 'responses': {'Q1': ARRAY}}}",
+        "{'nonce': NONCE, 'reply': {'errors': ARRAY, 'responses': {'Q1': COMPLEX}}}",
+    ],
+)
+def test_an_array_where_the_grader_expects_a_text_is_no_answer(session, body):
+    body = body.replace("'", '"').replace("COMPLEX", '{"~": "complex", "re": 0, "im": 1}')
+    code = f"{FIND_THE_CHANNEL}{ARRAY}body = {body!r}\n" + (
+        "body = body.replace('NONCE', json.dumps(find_nonce())).replace('ARRAY', ones)\n"
+        "os.write(channel, frame_with_array(body))\nk = 5"
+    )
+    report = session.run([code], ["k"])
+    assert report["responses"] == {}
+    assert session.evaluate("k", NUMBER) == {"state": "given", "value": 5}
+
+
+@pytest.mark.parametrize(
+    "reply",
+    [
+        '"reply": {"state": ARRAY}',
+        '"ended_by": ARRAY',
+        '"reply": {"state": "raised", "error": ARRAY}',
+    ],
+)
+def test_an_array_in_the_answer_to_a_question_costs_that_question(session, reply):
+    code = f"{FIND_THE_CHANNEL}{ARRAY}reply = {reply!r}\n" + (
+        "def f(x):\n"
+        "    body = '{\"nonce\": ' + json.dumps(find_nonce()) + ', ' + reply + '}'\n"
+        "    os.write(channel, frame_with_array(body.replace('ARRAY', ones)))\n"
+        "    os._exit(77)\n"
+        "k = 5"
+    )
+    session.run([code], [])
+    try:
+        assert asked(session, "f", 1.0)["state"] in ("unusable", "raised")
+    except Stopped as stopped:
+        assert stopped.status == "killed"  # noqa: PT017 -- either way nothing is won
+    assert session.evaluate("k", NUMBER) == {"state": "given", "value": 5}
+
+
 def test_an_endless_stream_of_stray_answers_is_cut_off(session):
     code = FIND_THE_CHANNEL + "while True: os.write(channel, frame({'nonce': 'x'}))"
     assert session.run([code], [])["errors"] == ["killed"]

@@ -14,7 +14,8 @@ from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
 
 from autograder.sandbox import wire
-from autograder.sandbox.replies import clean_evaluation, clean_report, clean_text
+from autograder.sandbox.replies import NOT_PLAIN, clean_evaluation, clean_report, clean_text
+from autograder.sandbox.session import _carries, _stop_by
 from autograder.sandbox.wire import HEADER, WireError, encode, read_message
 
 PACKAGE = Path(wire.__file__).parents[1]
@@ -107,13 +108,47 @@ def test_a_message_with_a_byte_changed_is_a_message_or_refused(position, byte, v
         read(bytes(data), max_json=10**6, max_arrays=10**6)
 
 
-@settings(max_examples=300, deadline=None)
-@given(_json)
+# What can stand in a message; `_json` is what can stand in its bytes.
+_sent = st.recursive(
+    st.none() | st.booleans() | st.integers() | st.floats() | st.complex_numbers()
+    | st.text(st.characters(), max_size=4)
+    | hnp.arrays(st.sampled_from([np.float64, np.int8, np.bool_, np.complex64]), st.integers(0, 2))
+    | st.sampled_from(["given", "raised", "unusable", "missing", "not attempted", "TypeError"]),
+    lambda inner: st.lists(inner, max_size=4)
+    | st.dictionaries(
+        st.sampled_from(["state", "reason", "error", "errors", "value", "values", "outcomes",
+                         "raised", "unusable", "responses", "understood", "Q1", "nonce"]),
+        inner, max_size=5,
+    ),
+    max_leaves=20,
+)  # fmt: skip
+
+
+@settings(max_examples=400, deadline=None)
+@given(_sent)
 def test_whatever_a_message_says_the_rest_of_the_grader_gets_clean_data(value):
     report = clean_report(value, 2)
     assert len(report["errors"]) == 2
     json.dumps(report, allow_nan=False).encode()
-    assert clean_evaluation(value)["state"] in ("given", "raised", "unusable", "not attempted")
+    reply = clean_evaluation(value)
+    assert reply["state"] in ("given", "raised", "unusable", "not attempted")
+    assert isinstance(reply.get("reason", ""), str)
+    assert isinstance(reply.get("error", ""), str)
+    assert _stop_by(value).status in ("timeout", "killed")
+    assert not _carries(value, "nonce of the question")
+
+
+@pytest.mark.parametrize("odd", [np.arange(2), np.array("given"), 1j, [], {}, True], ids=str)
+def test_what_takes_the_place_of_a_text_is_as_good_as_nothing(odd):
+    assert clean_evaluation({"state": odd}) == NOT_PLAIN
+    assert clean_evaluation({"state": "raised", "error": odd})["error"] == "Exception"
+    assert clean_evaluation({"state": "unusable", "reason": odd}) == NOT_PLAIN
+    assert clean_evaluation({"state": "given", "outcomes": [{"raised": odd}, {"unusable": odd}]})
+    assert clean_report({"errors": [odd]}, 1)["errors"] == ["Exception"]
+    assert clean_report({"understood": {"k": odd}}, 0)["understood"] == {"k": ""}
+    assert clean_report({"responses": {"Q1": 1j, "Q2": [np.arange(2)]}}, 0)["responses"] == {}
+    assert _stop_by(odd).status == "killed"
+    assert not _carries({"nonce": odd}, "given")
 
 
 def test_a_claim_beyond_the_cap_is_refused_before_memory_is_taken():
