@@ -14,6 +14,7 @@ from autograder.sandbox.evaluate import REASONS
 _CLASS_NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]{0,60}")
 _MAX_TEXT = 200
 _OUTCOMES = ("value", "unusable", "raised")
+_MAX_TABLE = 2**24  # characters of a list as an array of texts
 NOT_PLAIN = {"state": "unusable", "reason": "not plain"}
 
 
@@ -67,13 +68,35 @@ def _outcome(entry: Any) -> dict[str, Any]:
     entry = _dictionary(entry)
     if len(entry) == 1:
         ((kind, value),) = entry.items()
-        if kind == "value":
+        if kind == "value" and _is_bounded(value):
             return {"value": value}
         if kind == "raised":
             return {"raised": _public_name(value)}
         if kind == "unusable" and _is_reason(value):
             return {"unusable": value}
     return {"unusable": "not plain"}
+
+
+def _is_bounded(value: Any) -> bool:
+    """Whether NumPy can be given the value, whatever is then compared with it.
+
+    It makes an array of texts out of a list that holds one, each as long as the longest: a long
+    text beside many short entries would take gigabytes.
+    """
+    entries, longest = 0, 0
+    left = [value]
+    while left:
+        item = left.pop()
+        if isinstance(item, list):
+            left += item
+        elif isinstance(item, dict):
+            left += item.values()
+        elif isinstance(item, np.ndarray):
+            entries += item.size
+        else:
+            entries += 1
+            longest = max(longest, len(item) if isinstance(item, str) else 0)
+    return entries * longest <= _MAX_TABLE
 
 
 def _is_reason(value: Any) -> bool:

@@ -201,6 +201,66 @@ def test_json_made_to_break_a_parser_is_refused(text):
         read(frame(text.encode("utf-8", "surrogatepass")))
 
 
+PARTS = 2**20 // wire.BYTES_A_PART
+
+
+@pytest.mark.parametrize(
+    "part", ["[]", "{}", '{"a":1}', "[[]]", "1", '""', '{"~":"complex","re":0,"im":0}']
+)
+def test_json_that_would_take_many_times_its_length_is_refused(part):
+    text = b'{"body": [' + b",".join([part.encode()] * (PARTS + 1)) + b'], "arrays": []}'
+    with pytest.raises(WireError, match="too many parts"):
+        read(frame(text), max_json=2**20 if len(text) < 2**20 else len(text))
+
+
+def test_a_long_list_of_numbers_and_a_long_text_get_through():
+    value = {"numbers": [0.123456789] * 50_000, "text": "a, b " * 10_000}
+    assert read(encode(value), max_json=2**20) == value
+
+
+def test_an_array_that_stands_in_two_places_is_refused():
+    """Sixty places of one array of eight megabytes would be half a gigabyte to whoever compares."""
+    array = '{"~": "array", "at": 0}'
+    text = f'{{"body": [{array}, {array}], "arrays": [["<f8", [1]]]}}'.encode()
+    with pytest.raises(WireError, match="two places"):
+        read(frame(text, bytes(8)))
+    with pytest.raises(WireError, match="stands nowhere"):
+        read(frame(b'{"body": 1, "arrays": [["<f8", [1]]]}', bytes(8)))
+
+
+def test_an_array_that_is_sent_in_two_places_is_written_twice():
+    array = np.arange(3)
+    first, second = read(encode([array, array]))
+    assert first is not second
+    np.testing.assert_array_equal(first, second)
+
+
+def test_more_arrays_than_anybody_returns_are_neither_sent_nor_read():
+    with pytest.raises(WireError, match="too many arrays"):
+        encode([np.zeros(0)] * (wire.MAX_ARRAY_COUNT + 1))
+    table = ",".join(['["<f8",[0]]'] * (wire.MAX_ARRAY_COUNT + 1))
+    with pytest.raises(WireError, match="too many arrays"):
+        read(frame(f'{{"body":1,"arrays":[{table}]}}'.encode()))
+
+
+@pytest.mark.parametrize(
+    "value",
+    [
+        ["x" * 2**22] + [0] * 1000,
+        [["x" * 2**22, *[""] * 200], [0.0] * 201],
+        {"a": [np.zeros(10_000), ["x" * 10_000] * 2]},
+    ],
+    ids=["one long text", "in tables", "beside arrays"],
+)
+def test_a_list_that_numpy_would_make_gigabytes_of_does_not_get_to_it(value):
+    """NumPy gives every entry as much room as the longest text needs."""
+    outcomes = [{"value": value}, {"value": ["a", "bc", 1.0]}]
+    assert clean_evaluation({"state": "given", "outcomes": outcomes})["outcomes"] == [
+        {"unusable": "not plain"},
+        {"value": ["a", "bc", 1.0]},
+    ]
+
+
 def repr_of(value: object) -> str:
     return type(value).__name__
 
