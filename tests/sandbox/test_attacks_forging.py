@@ -49,7 +49,7 @@ def test_a_header_within_the_cap_that_nothing_follows_is_a_timeout(session):
 
 def test_an_answer_without_the_nonce_is_passed_over(session):
     forged = '{"nonce": "guess", "reply": {"errors": [], "responses": {"Q1": "forged"}}}'
-    code = FIND_THE_CHANNEL + f"os.write(channel, frame(json.loads('{forged}')) * 50)"
+    code = FIND_THE_CHANNEL + f"os.write(channel, frame(json.loads('{forged}')) * 10)"
     report = session.run([code, "a = 1"], ["a"])
     assert report == {"errors": [None, None], "responses": {}, "understood": {"a": "1"}}
 
@@ -85,7 +85,7 @@ def frame_with_array(body):
         "{'nonce': ARRAY}",
         "{'nonce': NONCE, 'cell': ARRAY}",
         "{'nonce': NONCE, 'reply': ARRAY}",
-        "{'nonce': NONCE, 'reply': {'errors': [ARRAY, ARRAY], 'responses': {'Q1': ARRAY}}}",
+        "{'nonce': NONCE, 'reply': {'errors': [1, 2], 'responses': {'Q1': ARRAY}}}",
         "{'nonce': NONCE, 'reply': {'errors': ARRAY, 'responses': {'Q1': COMPLEX}}}",
     ],
 )
@@ -126,6 +126,30 @@ def test_an_array_in_the_answer_to_a_question_costs_that_question(session, reply
 
 def test_an_endless_stream_of_stray_answers_is_cut_off(session):
     code = FIND_THE_CHANNEL + "while True: os.write(channel, frame({'nonce': 'x'}))"
+    assert session.run([code], [])["errors"] == ["killed"]
+
+
+@pytest.mark.parametrize(
+    "message",
+    [
+        "{'nonce': 'x', 'long': 'x' * 900_000}",
+        "{'nonce': find_nonce(), 'cell': 1, 'x': 'x' * 900_000}",
+    ],
+    ids=["strays", "notices of cells"],
+)
+def test_a_few_long_stray_answers_are_enough(session, message):
+    code = f"{FIND_THE_CHANNEL}for _ in range(3): os.write(channel, frame({message}))"
+    began = time.monotonic()
+    assert session.run(["k = 5", code], ["k"])["errors"] == [None, "killed"]
+    assert session.evaluate("k", NUMBER) == {"state": "given", "value": 5}
+    assert time.monotonic() - began < 6
+
+
+def test_more_notices_than_cells_are_strays(session):
+    code = (
+        FIND_THE_CHANNEL
+        + "while True: os.write(channel, frame({'nonce': find_nonce(), 'cell': 0}))"
+    )
     assert session.run([code], [])["errors"] == ["killed"]
 
 
