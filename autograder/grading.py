@@ -17,8 +17,10 @@ from autograder.course import Chapter, Course
 from autograder.errors import AutograderError
 from autograder.marker import Marker
 from autograder.marking import Mark, not_attempted, stopped
+from autograder.marking.probe import Probe
 from autograder.questions import Order, Question, TrueFalse
 from autograder.sandbox.launcher import Isolation, Sandbox, Session, Stopped
+from autograder.sandbox.replies import NOT_PLAIN
 from autograder.student.typed import typed_cell
 from autograder.submissions import Contents, Notebook, Submission, Unreadable, read_submission
 
@@ -270,25 +272,32 @@ def _grade_chapter(
         # in the outputs stand in where it is missing.
         responses = {**notebook.receipts, **_dictionary(report.get("responses")), **given}
         understood = _dictionary(report.get("understood"))
-        marks = []
-        for question in asked:
+
+        def mark_without_asking(question: Question) -> Mark | None:
             is_choice = isinstance(question, TrueFalse | Order)
             choice = responses.get(question.id) if is_choice else None
             if choice is not None:
-                marks.append(marker.mark(question.id, choice))
-            elif chapter.name in contents.unreadable:
-                reason = contents.unreadable[chapter.name]
-                marks.append(stopped(question, "unreadable", reason))
-            elif chapter.name not in contents.notebooks and question.id not in typed:
-                marks.append(not_attempted(question, "Its notebook was not handed in."))
-            elif failure is not None:
-                marks.append(stopped(question, failure.status, _notebook_stopped(failure)))
-            elif is_choice:
-                marks.append(not_attempted(question))
-            else:
-                said = _line(understood.get(question.name or "", ""))
-                marks.append(_mark_named(question, session, marker, cells, report, said))
-        return marks
+                return marker.mark(question.id, choice)
+            if chapter.name in contents.unreadable:
+                return stopped(question, "unreadable", contents.unreadable[chapter.name])
+            if chapter.name not in contents.notebooks and question.id not in typed:
+                return not_attempted(question, "Its notebook was not handed in.")
+            if failure is not None:
+                return stopped(question, failure.status, _notebook_stopped(failure))
+            return not_attempted(question) if is_choice else None
+
+        marks = {question.id: mark_without_asking(question) for question in asked}
+        to_ask = [question for question in asked if marks[question.id] is None]
+        # Of all questions before the rest of any: what one function is asked with can be kept in a
+        # file for another.
+        openings = {q.id: _open(q, session, marker) for q in to_ask}
+        for question in to_ask:
+            said = _line(understood.get(question.name or "", ""))
+            opening = openings[question.id]
+            marks[question.id] = _mark_named(
+                question, session, marker, cells, report, said, opening
+            )
+        return [mark for mark in marks.values() if mark is not None]
 
 
 def _notebook_stopped(stop: Stopped) -> str:
@@ -302,6 +311,41 @@ def _response_stopped(stop: Stopped) -> str:
     return f"The process that ran it was ended: {stop.why}." if stop.why else ""
 
 
+def _open(question: Question, session: Session, marker: Marker) -> dict[str, Any] | Stopped | None:
+    """What came back for the question's opening; None if it has none."""
+    sent = marker.probe(question.id).opening
+    if sent is None or question.name is None:
+        return None
+    try:
+        return session.evaluate(question.name, sent)
+    except Stopped as stop:
+        return stop
+
+
+def _ask(
+    name: str, session: Session, probe: Probe, opening: dict[str, Any] | Stopped | None
+) -> dict[str, Any]:
+    """What comes back for the whole probe, of which the opening was put before.
+
+    Raises:
+        Stopped: if either part was stopped.
+    """
+    if isinstance(opening, Stopped):
+        raise opening
+    if opening is not None and opening.get("state") != "given":
+        return opening
+    if opening is not None and not probe.rest["cases"]:
+        return opening
+    response = session.evaluate(name, probe.rest)
+    if opening is None or response.get("state") != "given":
+        return response
+    first, others = opening.get("outcomes"), response.get("outcomes")
+    if not (isinstance(first, list) and isinstance(others, list) and len(first) == 1):
+        # With any other number an outcome of the rest would pass for that of the opening.
+        return NOT_PLAIN
+    return {"state": "given", "outcomes": first + others}
+
+
 def _mark_named(
     question: Question,
     session: Session,
@@ -309,11 +353,12 @@ def _mark_named(
     cells: list[str],
     report: dict[str, Any],
     understood: str,
+    opening: dict[str, Any] | Stopped | None,
 ) -> Mark:
     """Mark a response that a variable or a function of the notebook holds."""
     assert question.name is not None
     try:
-        response = session.evaluate(question.name, marker.probe(question.id).sent)
+        response = _ask(question.name, session, marker.probe(question.id), opening)
     except Stopped as stop:
         return stopped(question, stop.status, _response_stopped(stop))
     reason = response.get("reason")
