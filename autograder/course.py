@@ -6,6 +6,7 @@ import hashlib
 import json
 import os
 import tomllib
+from collections.abc import Callable
 from dataclasses import dataclass, fields, replace
 from functools import cached_property
 from pathlib import Path
@@ -18,6 +19,9 @@ from autograder.questions import Question, question_from_table
 QUESTIONS = Path("notebooks/questions")
 ANSWERS = Path("solutions/answers")
 DEMO = "demo"  # the tag of a cell that only shows something
+_PACKAGE = Path(__file__).parent
+_MARKS_NOTHING = ("authoring", "cli", "gradebook", "release", "reports")  # folders of the package
+_LARGE_FILE = 32 * 2**20  # bytes
 
 
 @dataclass(frozen=True)
@@ -125,17 +129,40 @@ class Course:
 
     @cached_property
     def version(self) -> str:
-        """A fingerprint of everything that can change a mark."""
+        """A fingerprint of everything that can change a mark: the key, what student code finds
+        around it, the limits on it, and the autograder.
+
+        Of files only the contents count, since a fresh checkout has other times; of a large one,
+        which no course has so far, the size and the ends.
+        """
         digest = hashlib.sha256()
-        for folder, pattern in (
-            (QUESTIONS, "*.toml"),
-            (ANSWERS, "*.toml"),
-            ("solutions", "**/*.py"),
+        digest.update(f"{self.settings}\0{sorted(self.demo_cells)}\0".encode())
+        for top, folder, pattern, left_out in (
+            (self.root, QUESTIONS, "*.toml", ()),
+            (self.root, ANSWERS, "*.toml", ()),
+            (self.root, "solutions", "**/*.py", ()),
+            (self.root, "notebooks", "**/*.py", ("source",)),
+            (self.root, "data", "**/*", ()),
+            (_PACKAGE, ".", "**/*.py", _MARKS_NOTHING),
         ):
-            for path in sorted((self.root / folder).glob(pattern)):
-                digest.update(str(path.relative_to(self.root)).encode() + b"\0")
-                digest.update(path.read_bytes() + b"\0")
+            for path in sorted((top / folder).glob(pattern)):
+                inside = path.relative_to(top / folder)
+                if inside.parts[0] in left_out or "__pycache__" in inside.parts:
+                    continue
+                if path.is_file():
+                    digest.update(f"{folder}/{inside.as_posix()}\0".encode())
+                    _digest_file(path, digest.update)
         return digest.hexdigest()[:16]
+
+
+def _digest_file(path: Path, update: Callable[[bytes], object]) -> None:
+    with path.open("rb") as file:
+        size = file.seek(0, os.SEEK_END)
+        file.seek(0)
+        update(f"{size}\0".encode())
+        update(file.read(_LARGE_FILE // 2))
+        file.seek(max(_LARGE_FILE // 2, size - _LARGE_FILE // 2))
+        update(file.read(_LARGE_FILE // 2))
 
 
 def find_course_root(start: Path | None = None) -> Path:
