@@ -429,6 +429,40 @@ def test_of_a_name_that_is_in_the_zip_twice_the_first_is_taken(tmp_path):
     assert contents.notes == ["3_ransac.ipynb is there twice; the first was taken."]
 
 
+def test_entries_of_one_name_are_unpacked_once(tmp_path, monkeypatch):
+    """And what is unpacked counts, even if it is then left out."""
+    opened = []
+    really = zipfile.ZipFile.open
+
+    def open_entry(archive: zipfile.ZipFile, entry: zipfile.ZipInfo, *arguments: str) -> object:
+        opened.append(entry.filename)
+        return really(archive, entry, *arguments)
+
+    path = tmp_path / "ada.zip"
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr("3_ransac.ipynb", notebook("first"))
+        for _ in range(5):
+            with pytest.warns(UserWarning, match="Duplicate"):
+                archive.writestr("3_ransac.ipynb", notebook("again"))
+    monkeypatch.setattr(zipfile.ZipFile, "open", open_entry)
+    assert read(path).notebooks["ransac"].cells == ["first"]
+    assert opened == ["3_ransac.ipynb"]
+
+
+def test_responses_that_are_too_large_count_towards_the_whole(tmp_path):
+    noise = random.Random(1).randbytes(2**20 + 1)
+    entries = {f"responses/{n}.json": noise for n in range(4)}
+    books = {"3_ransac.ipynb": notebook("k = 1")}
+    contents = read_zip(tmp_path, {**books, **entries}, submission_mb=6)
+    assert contents.notes.count("0.json is too large for saved responses; it was left out.") == 1
+    (tmp_path / "folder/responses").mkdir(parents=True)
+    for name, data in entries.items():
+        (tmp_path / "folder" / name).write_bytes(data)
+    (tmp_path / "folder/3_ransac.ipynb").write_bytes(notebook("k = 1"))
+    with pytest.raises(Unreadable, match="larger than 2 MB"):
+        read(tmp_path / "folder", submission_mb=2)
+
+
 def test_checkpoints_and_resource_forks_are_passed_over(tmp_path):
     names = [".ipynb_checkpoints/3_ransac-checkpoint.ipynb", "__MACOSX/._3_ransac.ipynb"]
     with pytest.raises(Unreadable, match="holds no notebook"):
