@@ -28,7 +28,8 @@ _LARGE_FILE = 32 * 2**20  # bytes
 class Settings:
     """The limits on student code, from ``[tool.autograder]`` in the course's pyproject.toml."""
 
-    notebook_seconds: float = 120.0  # all cells together
+    submission_seconds: float = 600.0  # all notebooks and questions of one student together
+    notebook_seconds: float = 120.0  # all cells of one notebook together
     cell_seconds: float = 30.0
     question_seconds: float = 20.0
     memory_mb: int = 1024  # beyond what the libraries need

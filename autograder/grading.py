@@ -206,6 +206,7 @@ def grade_contents(
 ) -> list[Mark]:
     """Mark the notebooks of one student, in the order of the course's questions."""
     contents = _by_chapter(contents, marker.course)
+    deadline = time.monotonic() + marker.course.settings.submission_seconds
     return [
         mark
         for chapter in marker.course.chapters
@@ -215,6 +216,7 @@ def grade_contents(
             contents,
             marker,
             sandbox,
+            deadline,
         )
     ]
 
@@ -245,6 +247,7 @@ def _grade_chapter(
     contents: Contents,
     marker: Marker,
     sandbox: Sandbox,
+    deadline: float,
 ) -> list[Mark]:
     if not asked:
         return []
@@ -259,7 +262,7 @@ def _grade_chapter(
     kept = {**notebook.receipts, **given}
     typed = {q.id: cell for q in asked if (cell := typed_cell(q, kept.get(q.id))) is not None}
     cells += typed.values()
-    with sandbox.session() as session:
+    with sandbox.session(deadline) as session:
         names = [question.name for question in asked if question.name]
         report: dict[str, Any] = {}
         failure: Stopped | None = None
@@ -302,12 +305,15 @@ def _grade_chapter(
 
 def _notebook_stopped(stop: Stopped) -> str:
     if stop.status == "timeout":
-        return "Running the notebook took longer than the time limit."
+        why = f": {stop.why}" if stop.why else ""
+        return f"Running the notebook took longer than the time limit{why}."
     why = stop.why or "too much memory, a crash, or an exit"
     return f"The notebook's process ended while it ran: {why}."
 
 
 def _response_stopped(stop: Stopped) -> str:
+    if stop.status == "timeout" and stop.why:
+        return f"It took longer than the time limit: {stop.why}."
     return f"The process that ran it was ended: {stop.why}." if stop.why else ""
 
 

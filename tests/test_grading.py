@@ -5,6 +5,7 @@ import io
 import json
 import time
 import zipfile
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -12,10 +13,12 @@ import pytest
 from tiny_course import TinyCourse
 
 from autograder.cli import main
+from autograder.course import Settings
 from autograder.grading import grade_contents
 from autograder.marker import Marker
 from autograder.marking import Mark
 from autograder.sandbox.launcher import Stopped
+from autograder.sandbox.stopped import out_of_time
 from autograder.submissions import Contents, Notebook
 
 RIGHT_ORDER = ["cup", "boil", "stir", "pour", "stir_again", "drink"]
@@ -28,7 +31,7 @@ class Scripted:
         self.run_reply, self.replies = run or {}, replies
         self.sessions = 0
 
-    def session(self) -> "Scripted":
+    def session(self, deadline: float) -> "Scripted":
         self.sessions += 1
         return self
 
@@ -102,6 +105,33 @@ def test_a_stopped_response_costs_one_question(tiny_course, status):
     sandbox = Scripted(eggs=Stopped(status), rim={"state": "not attempted"})
     marks = grade(tiny_course, sandbox, kitchen())
     assert (marks["Q1.3"].status, marks["Q1.4"].status) == (status, "not attempted")
+
+
+def test_the_whole_submission_has_one_deadline_and_a_mark_says_when_it_had_passed(tiny_course):
+    deadlines = []
+
+    class Watched(Scripted):
+        def session(self, deadline: float) -> Scripted:
+            deadlines.append(deadline)
+            return super().session(deadline)
+
+    late = out_of_time()
+    course = replace(tiny_course.load(), settings=Settings(submission_seconds=7))
+    contents = Contents({"kitchen": Notebook(["1"]), "cellar": Notebook(["2"])})
+    before = time.monotonic()
+    marks = grade_contents(contents, Marker(course, seed=1), Watched(eggs=late, share=late))
+    assert len(deadlines) == 2
+    assert len(set(deadlines)) == 1
+    assert before + 7 <= deadlines[0] <= time.monotonic() + 7
+    said = {mark.question: (mark.status, mark.feedback) for mark in marks}
+    assert (
+        said["Q1.3"]
+        == said["Q2.1"]
+        == (
+            "timeout",
+            "It took longer than the time limit: the submission as a whole had used up its time.",
+        )
+    )
 
 
 def test_an_unreadable_chapter_is_unreadable_in_every_kind_but_for_saved_choices(tiny_course):
@@ -206,9 +236,9 @@ def test_grading_resumes_and_runs_again_only_what_changed(
     sessions = []
     session = Sandbox.session
 
-    def counted(self: Sandbox) -> Any:
+    def counted(self: Sandbox, deadline: float) -> Any:
         sessions.append(1)
-        return session(self)
+        return session(self, deadline)
 
     monkeypatch.setattr(Sandbox, "session", counted)
     out = tmp_path / "out"

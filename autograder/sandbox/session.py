@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 import secrets
 import select
@@ -15,7 +16,7 @@ from autograder.sandbox import wire
 from autograder.sandbox.channel import Channel, Late
 from autograder.sandbox.host import Host, HostError, limits
 from autograder.sandbox.replies import clean_evaluation, clean_report
-from autograder.sandbox.stopped import Stopped
+from autograder.sandbox.stopped import Stopped, out_of_time
 
 GRACE = 1.0  # seconds between the child's own limit and the one kept here
 # What may come from one process without answering anything before its channel counts as broken:
@@ -30,11 +31,19 @@ class Session:
 
     Every answer must carry the nonce of its question and come before a deadline that is kept here.
     When a cell hangs or crashes beyond what the child itself can catch, the notebook is run again
-    without that cell; when a response does, the next question still works.
+    without that cell; when a response does, the next question still works. After ``deadline``, on
+    the monotonic clock, nothing is begun any more.
     """
 
-    def __init__(self, take_host: Callable[[], Host], settings: Settings, seed: int) -> None:
+    def __init__(
+        self,
+        take_host: Callable[[], Host],
+        settings: Settings,
+        seed: int,
+        deadline: float = math.inf,
+    ) -> None:
         self._take_host = take_host
+        self._deadline = deadline
         self._settings = settings
         self._seed = seed
         self._host: Host | None = None
@@ -63,6 +72,7 @@ class Session:
             Stopped: if no run of the notebook came to its end.
         """
         self._cells, self._stopped_cells = cells, {}
+        self._check_deadline()
         return self._run(names)
 
     def evaluate(self, name: str, probe: dict[str, Any]) -> dict[str, Any]:
@@ -72,6 +82,7 @@ class Session:
             Stopped: if it takes too long, if its process dies, or if the cell that should define it
                 was stopped.
         """
+        self._check_deadline()
         if self._channel is None:
             self._restart()
             self._run([])
@@ -95,7 +106,9 @@ class Session:
         return reply
 
     def _ask_to_evaluate(self, name: str, probe: dict[str, Any]) -> dict[str, Any]:
-        seconds = self._settings.question_seconds
+        seconds = min(self._settings.question_seconds, self._deadline - time.monotonic())
+        if seconds <= 0:  # running the notebook again took the rest
+            raise out_of_time()
         message = {"do": "evaluate", "name": name, "probe": probe, "seconds": seconds}
         answer = self._ask(message, time.monotonic() + seconds + GRACE)
         if "reply" not in answer:
@@ -104,7 +117,7 @@ class Session:
 
     def _run(self, names: list[str]) -> dict[str, Any]:
         settings = self._settings
-        end = time.monotonic() + settings.notebook_seconds
+        end = min(time.monotonic() + settings.notebook_seconds, self._deadline)
         while True:
             if self._channel is None:
                 self._open()
@@ -185,6 +198,10 @@ class Session:
         if all(descriptor != self._channel.fileno() for descriptor, _ in ready):
             # What the child started may hold the channel open; the child itself has gone.
             raise EOFError
+
+    def _check_deadline(self) -> None:
+        if time.monotonic() >= self._deadline:
+            raise out_of_time()
 
     def _note_cell(self, index: Any) -> None:
         if type(index) is int and 0 <= index < len(self._cells):
