@@ -21,6 +21,7 @@ ANSWERS = Path("solutions/answers")
 DEMO = "demo"  # the tag of a cell that only shows something
 _PACKAGE = Path(__file__).parent
 _MARKS_NOTHING = ("authoring", "cli", "gradebook", "release", "reports")  # folders of the package
+_LARGEST_SETTING = 1_000_000  # beyond all use, and within what timers and counters can take
 _LARGE_FILE = 32 * 2**20  # bytes
 
 
@@ -269,12 +270,22 @@ def _read_settings(root: Path) -> Settings:
     path = root / "pyproject.toml"
     if not path.exists():
         return Settings()
-    table = _read_toml(path, "").get("tool", {}).get("autograder", {})
-    known = {field.name for field in fields(Settings)}
+    tools = _read_toml(path, "").get("tool", {})
+    table = tools.get("autograder", {}) if isinstance(tools, dict) else {}
+    where = f"[tool.autograder] in {path}"
+    if not isinstance(table, dict):
+        raise CourseError(f"{where} must be a table of settings such as memory_mb = 1024.")
+    kinds = {field.name: type(field.default) for field in fields(Settings)}
     for name, value in table.items():
-        if name not in known or not isinstance(value, int | float) or value <= 0:
+        if name not in kinds:
+            raise CourseError(f"{where} has {name}, which is none of {', '.join(sorted(kinds))}.")
+        whole = kinds[name] is int
+        # To Python a truth value is an int; not a number is not between anything.
+        is_number = isinstance(value, int if whole else int | float) and not isinstance(value, bool)
+        if not (is_number and 0 < value <= _LARGEST_SETTING):
+            wanted = "a whole number" if whole else "a number of seconds"
             raise CourseError(
-                f"[tool.autograder] in {path} has {name} = {value!r}; "
-                f"allowed are positive numbers for {', '.join(sorted(known))}."
+                f"{where} has {name} = {value!r}; "
+                f"give {wanted} above 0 and at most {_LARGEST_SETTING:,}."
             )
     return replace(Settings(), **table)

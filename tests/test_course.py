@@ -319,13 +319,48 @@ def test_a_course_without_pyproject_has_the_default_limits(tiny_course):
 
 
 @pytest.mark.parametrize(
-    "line", ["memory_gb = 1", "memory_mb = 0", "memory_mb = -3", 'memory_mb = "much"']
+    "line",
+    [
+        "memory_gb = 1",
+        "memory_mb = 0",
+        "memory_mb = -3",
+        'memory_mb = "much"',
+        "memory_mb = true",
+        "memory_mb = nan",
+        "memory_mb = inf",
+        "processes = 1.5",
+        "files = 2.0",
+        "memory_mb = 10000000",
+        "cell_seconds = nan",
+        "cell_seconds = inf",
+        "cell_seconds = -inf",
+        "cell_seconds = true",
+        "cell_seconds = 0.0",
+        "cell_seconds = 1e30",
+        "cell_seconds = [1]",
+        "cell_seconds = 2026-01-01",
+    ],
 )
 def test_a_setting_that_is_unknown_or_no_positive_number_is_said(tiny_course, line):
     tiny_course.append("pyproject.toml", line + "\n")
     sentence = refusal(tiny_course)
     assert line.split()[0] in sentence
     assert "pyproject.toml" in sentence
+    assert sentence.endswith(".")
+
+
+def test_seconds_may_be_a_fraction(tiny_course):
+    tiny_course.append("pyproject.toml", "cell_seconds = 0.5\n")
+    assert tiny_course.load().settings.cell_seconds == 0.5
+
+
+@pytest.mark.parametrize("text", ["tool = 3\n", "[tool]\nautograder = 3\n"])
+def test_settings_that_are_no_table_are_refused_or_nobodys(tiny_course, text):
+    (tiny_course.root / "pyproject.toml").write_text(text)
+    if text.startswith("tool"):
+        assert tiny_course.load().settings == Settings()
+    else:
+        assert "must be a table" in refusal(tiny_course)
 
 
 def test_every_question_of_the_sheet_is_asked_and_answered(real_course):
