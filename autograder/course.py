@@ -6,6 +6,7 @@ import hashlib
 import json
 import os
 import tomllib
+from collections.abc import Callable
 from dataclasses import dataclass, fields, replace
 from functools import cached_property
 from pathlib import Path
@@ -18,13 +19,18 @@ from autograder.questions import Question, question_from_table
 QUESTIONS = Path("notebooks/questions")
 ANSWERS = Path("solutions/answers")
 DEMO = "demo"  # the tag of a cell that only shows something
+_PACKAGE = Path(__file__).parent
+_MARKS_NOTHING = ("authoring", "cli", "gradebook", "release", "reports")  # folders of the package
+_LARGEST_SETTING = 1_000_000  # beyond all use, and within what timers and counters can take
+_LARGE_FILE = 32 * 2**20  # bytes
 
 
 @dataclass(frozen=True)
 class Settings:
     """The limits on student code, from ``[tool.autograder]`` in the course's pyproject.toml."""
 
-    notebook_seconds: float = 120.0  # all cells together
+    submission_seconds: float = 600.0  # all notebooks and questions of one student together
+    notebook_seconds: float = 120.0  # all cells of one notebook together
     cell_seconds: float = 30.0
     question_seconds: float = 20.0
     memory_mb: int = 1024  # beyond what the libraries need
@@ -125,17 +131,40 @@ class Course:
 
     @cached_property
     def version(self) -> str:
-        """A fingerprint of everything that can change a mark."""
+        """A fingerprint of everything that can change a mark: the key, what student code finds
+        around it, the limits on it, and the autograder.
+
+        Of files only the contents count, since a fresh checkout has other times; of a large one,
+        which no course has so far, the size and the ends.
+        """
         digest = hashlib.sha256()
-        for folder, pattern in (
-            (QUESTIONS, "*.toml"),
-            (ANSWERS, "*.toml"),
-            ("solutions", "**/*.py"),
+        digest.update(f"{self.settings}\0{sorted(self.demo_cells)}\0".encode())
+        for top, folder, pattern, left_out in (
+            (self.root, QUESTIONS, "*.toml", ()),
+            (self.root, ANSWERS, "*.toml", ()),
+            (self.root, "solutions", "**/*.py", ()),
+            (self.root, "notebooks", "**/*.py", ("source",)),
+            (self.root, "data", "**/*", ()),
+            (_PACKAGE, ".", "**/*.py", _MARKS_NOTHING),
         ):
-            for path in sorted((self.root / folder).glob(pattern)):
-                digest.update(str(path.relative_to(self.root)).encode() + b"\0")
-                digest.update(path.read_bytes() + b"\0")
+            for path in sorted((top / folder).glob(pattern)):
+                inside = path.relative_to(top / folder)
+                if inside.parts[0] in left_out or "__pycache__" in inside.parts:
+                    continue
+                if path.is_file():
+                    digest.update(f"{folder}/{inside.as_posix()}\0".encode())
+                    _digest_file(path, digest.update)
         return digest.hexdigest()[:16]
+
+
+def _digest_file(path: Path, update: Callable[[bytes], object]) -> None:
+    with path.open("rb") as file:
+        size = file.seek(0, os.SEEK_END)
+        file.seek(0)
+        update(f"{size}\0".encode())
+        update(file.read(_LARGE_FILE // 2))
+        file.seek(max(_LARGE_FILE // 2, size - _LARGE_FILE // 2))
+        update(file.read(_LARGE_FILE // 2))
 
 
 def find_course_root(start: Path | None = None) -> Path:
@@ -241,12 +270,22 @@ def _read_settings(root: Path) -> Settings:
     path = root / "pyproject.toml"
     if not path.exists():
         return Settings()
-    table = _read_toml(path, "").get("tool", {}).get("autograder", {})
-    known = {field.name for field in fields(Settings)}
+    tools = _read_toml(path, "").get("tool", {})
+    table = tools.get("autograder", {}) if isinstance(tools, dict) else {}
+    where = f"[tool.autograder] in {path}"
+    if not isinstance(table, dict):
+        raise CourseError(f"{where} must be a table of settings such as memory_mb = 1024.")
+    kinds = {field.name: type(field.default) for field in fields(Settings)}
     for name, value in table.items():
-        if name not in known or not isinstance(value, int | float) or value <= 0:
+        if name not in kinds:
+            raise CourseError(f"{where} has {name}, which is none of {', '.join(sorted(kinds))}.")
+        whole = kinds[name] is int
+        # To Python a truth value is an int; not a number is not between anything.
+        is_number = isinstance(value, int if whole else int | float) and not isinstance(value, bool)
+        if not (is_number and 0 < value <= _LARGEST_SETTING):
+            wanted = "a whole number" if whole else "a number of seconds"
             raise CourseError(
-                f"[tool.autograder] in {path} has {name} = {value!r}; "
-                f"allowed are positive numbers for {', '.join(sorted(known))}."
+                f"{where} has {name} = {value!r}; "
+                f"give {wanted} above 0 and at most {_LARGEST_SETTING:,}."
             )
     return replace(Settings(), **table)

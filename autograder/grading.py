@@ -4,18 +4,23 @@ from __future__ import annotations
 
 import re
 import time
+import traceback
 from collections.abc import Callable, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from contextlib import ExitStack
 from dataclasses import dataclass, replace
+from pathlib import PurePath
 from queue import SimpleQueue
 from typing import Any
 
 from autograder.course import Chapter, Course
+from autograder.errors import AutograderError
 from autograder.marker import Marker
 from autograder.marking import Mark, not_attempted, stopped
+from autograder.marking.probe import Probe
 from autograder.questions import Order, Question, TrueFalse
 from autograder.sandbox.launcher import Isolation, Sandbox, Session, Stopped
+from autograder.sandbox.replies import NOT_PLAIN
 from autograder.student.typed import typed_cell
 from autograder.submissions import Contents, Notebook, Submission, Unreadable, read_submission
 
@@ -66,12 +71,20 @@ def grade_all(
         def grade(submission: Submission, contents: Contents) -> Graded:
             slot = slots.idle.get()
             began = time.monotonic()
+            fingerprint, notes = contents.fingerprint, tuple(contents.notes)
             try:
                 marks = grade_contents(contents, marker, slot, questions)
+            except AutograderError:
+                raise  # the course or this machine, not the submission
+            except Exception as error:
+                # No submission, whatever it did, may keep the others from being graded. Without a
+                # fingerprint it is not taken for graded, and the next run tries again.
+                said = _grader_failed(error)
+                marks = _all_marks(marker.course, "killed", said, questions)
+                fingerprint, notes = "", (*notes, said)
             finally:
                 slots.idle.put(slot)
             seconds = time.monotonic() - began
-            fingerprint, notes = contents.fingerprint, tuple(contents.notes)
             return Graded(submission, "graded", fingerprint, tuple(marks), notes, seconds)
 
         def report(graded: Graded) -> None:
@@ -88,6 +101,12 @@ def grade_all(
                     contents = read_submission(submission, marker.course.settings, names)
                 except Unreadable as unreadable:
                     done(_unreadable(submission, marker.course, str(unreadable), questions))
+                    continue
+                except AutograderError:
+                    raise
+                except Exception as error:
+                    failed = _grader_failed(error)
+                    done(_unreadable(submission, marker.course, failed, questions))
                     continue
                 before = known(submission.student, contents.fingerprint) if known else None
                 if before is not None:
@@ -154,12 +173,29 @@ def _report_finished(
 def _unreadable(
     submission: Submission, course: Course, reason: str, questions: frozenset[str] | None
 ) -> Graded:
-    marks = [
-        stopped(question, "unreadable", reason)
+    marks = _all_marks(course, "unreadable", reason, questions)
+    return Graded(submission, "unreadable", "", tuple(marks), (reason,))
+
+
+def _all_marks(
+    course: Course, status: str, reason: str, questions: frozenset[str] | None
+) -> list[Mark]:
+    """The same status for every question that is asked for."""
+    return [
+        stopped(question, status, reason)
         for question in course.questions.values()
         if questions is None or question.id in questions
     ]
-    return Graded(submission, "unreadable", "", tuple(marks), (reason,))
+
+
+def _grader_failed(error: Exception) -> str:
+    """A sentence on an error of the autograder's own, without its text: that may be a student's."""
+    place = traceback.extract_tb(error.__traceback__)[-1]
+    return (
+        f"The autograder itself failed on this submission ({type(error).__name__} in "
+        f"{PurePath(place.filename).name}, line {place.lineno}); the points say nothing about the "
+        "work. Mark it by hand, and report the failure."
+    )
 
 
 def grade_contents(
@@ -170,6 +206,7 @@ def grade_contents(
 ) -> list[Mark]:
     """Mark the notebooks of one student, in the order of the course's questions."""
     contents = _by_chapter(contents, marker.course)
+    deadline = time.monotonic() + marker.course.settings.submission_seconds
     return [
         mark
         for chapter in marker.course.chapters
@@ -179,6 +216,7 @@ def grade_contents(
             contents,
             marker,
             sandbox,
+            deadline,
         )
     ]
 
@@ -209,6 +247,7 @@ def _grade_chapter(
     contents: Contents,
     marker: Marker,
     sandbox: Sandbox,
+    deadline: float,
 ) -> list[Mark]:
     if not asked:
         return []
@@ -223,7 +262,7 @@ def _grade_chapter(
     kept = {**notebook.receipts, **given}
     typed = {q.id: cell for q in asked if (cell := typed_cell(q, kept.get(q.id))) is not None}
     cells += typed.values()
-    with sandbox.session() as session:
+    with sandbox.session(deadline) as session:
         names = [question.name for question in asked if question.name]
         report: dict[str, Any] = {}
         failure: Stopped | None = None
@@ -236,36 +275,81 @@ def _grade_chapter(
         # in the outputs stand in where it is missing.
         responses = {**notebook.receipts, **_dictionary(report.get("responses")), **given}
         understood = _dictionary(report.get("understood"))
-        marks = []
-        for question in asked:
+
+        def mark_without_asking(question: Question) -> Mark | None:
             is_choice = isinstance(question, TrueFalse | Order)
             choice = responses.get(question.id) if is_choice else None
             if choice is not None:
-                marks.append(marker.mark(question.id, choice))
-            elif chapter.name in contents.unreadable:
-                reason = contents.unreadable[chapter.name]
-                marks.append(stopped(question, "unreadable", reason))
-            elif chapter.name not in contents.notebooks and question.id not in typed:
-                marks.append(not_attempted(question, "Its notebook was not handed in."))
-            elif failure is not None:
-                marks.append(stopped(question, failure.status, _notebook_stopped(failure)))
-            elif is_choice:
-                marks.append(not_attempted(question))
-            else:
-                said = _line(understood.get(question.name or "", ""))
-                marks.append(_mark_named(question, session, marker, cells, report, said))
-        return marks
+                return marker.mark(question.id, choice)
+            if chapter.name in contents.unreadable:
+                return stopped(question, "unreadable", contents.unreadable[chapter.name])
+            if chapter.name not in contents.notebooks and question.id not in typed:
+                return not_attempted(question, "Its notebook was not handed in.")
+            if failure is not None:
+                return stopped(question, failure.status, _notebook_stopped(failure))
+            return not_attempted(question) if is_choice else None
+
+        marks = {question.id: mark_without_asking(question) for question in asked}
+        to_ask = [question for question in asked if marks[question.id] is None]
+        # Of all questions before the rest of any: what one function is asked with can be kept in a
+        # file for another.
+        openings = {q.id: _open(q, session, marker) for q in to_ask}
+        for question in to_ask:
+            said = _line(understood.get(question.name or "", ""))
+            opening = openings[question.id]
+            marks[question.id] = _mark_named(
+                question, session, marker, cells, report, said, opening
+            )
+        return [mark for mark in marks.values() if mark is not None]
 
 
 def _notebook_stopped(stop: Stopped) -> str:
     if stop.status == "timeout":
-        return "Running the notebook took longer than the time limit."
+        why = f": {stop.why}" if stop.why else ""
+        return f"Running the notebook took longer than the time limit{why}."
     why = stop.why or "too much memory, a crash, or an exit"
     return f"The notebook's process ended while it ran: {why}."
 
 
 def _response_stopped(stop: Stopped) -> str:
+    if stop.status == "timeout" and stop.why:
+        return f"It took longer than the time limit: {stop.why}."
     return f"The process that ran it was ended: {stop.why}." if stop.why else ""
+
+
+def _open(question: Question, session: Session, marker: Marker) -> dict[str, Any] | Stopped | None:
+    """What came back for the question's opening; None if it has none."""
+    sent = marker.probe(question.id).opening
+    if sent is None or question.name is None:
+        return None
+    try:
+        return session.evaluate(question.name, sent)
+    except Stopped as stop:
+        return stop
+
+
+def _ask(
+    name: str, session: Session, probe: Probe, opening: dict[str, Any] | Stopped | None
+) -> dict[str, Any]:
+    """What comes back for the whole probe, of which the opening was put before.
+
+    Raises:
+        Stopped: if either part was stopped.
+    """
+    if isinstance(opening, Stopped):
+        raise opening
+    if opening is not None and opening.get("state") != "given":
+        return opening
+    if opening is not None and not probe.rest["cases"]:
+        return opening
+    response = session.evaluate(name, probe.rest)
+    if opening is None or response.get("state") != "given":
+        return response
+    first, others = opening.get("outcomes"), response.get("outcomes")
+    if not (isinstance(first, list) and isinstance(others, list) and len(first) == 1):
+        # With any other number an outcome of the rest would pass for that of the opening.
+        return NOT_PLAIN
+    return {"state": "given", "outcomes": first + others}
 
 
 def _mark_named(
@@ -275,11 +359,12 @@ def _mark_named(
     cells: list[str],
     report: dict[str, Any],
     understood: str,
+    opening: dict[str, Any] | Stopped | None,
 ) -> Mark:
     """Mark a response that a variable or a function of the notebook holds."""
     assert question.name is not None
     try:
-        response = session.evaluate(question.name, marker.probe(question.id).sent)
+        response = _ask(question.name, session, marker.probe(question.id), opening)
     except Stopped as stop:
         return stopped(question, stop.status, _response_stopped(stop))
     reason = response.get("reason")
@@ -295,7 +380,10 @@ def _mark_named(
 
 
 def _defining_cell_failed(name: str, cells: list[str], report: dict[str, Any]) -> bool:
-    defines = re.compile(rf"^\s*(def\s+{name}\b|{name}\s*(:[^=\n]*)?=[^=])", re.MULTILINE)
+    # No \s: it takes line ends too, and a cell of empty lines would then be searched from each of
+    # them to the end, for minutes and with every other thread waiting.
+    name = re.escape(name)
+    defines = re.compile(rf"^[ \t]*(def[ \t]+{name}\b|{name}[ \t]*(:[^=\n]*)?=[^=])", re.MULTILINE)
     errors = report.get("errors")
     if not isinstance(errors, list):
         return False

@@ -46,6 +46,12 @@ class Files:
                 "hand in only the notebooks and the folder responses."
             )
 
+    def has(self, path: PurePosixPath) -> bool:
+        """Whether there is such a file already, which a note then says."""
+        if path in self.data:
+            self.notes.append(f"{_show(path)} is there twice; the first was taken.")
+        return path in self.data
+
     def limit(self, path: PurePosixPath) -> int:
         """How many bytes the file at ``path`` may have."""
         return min(self._bytes_left, MAX_SIDECAR if path.suffix == ".json" else self._bytes_left)
@@ -56,20 +62,16 @@ class Files:
         Raises:
             Unreadable: if the submission as a whole is too large.
         """
-        if len(data) > self.limit(path):
-            if path.suffix == ".json":
-                self.notes.append(
-                    f"{_show(path)} is too large for saved responses; it was left out."
-                )
-                return
+        too_long = len(data) > self.limit(path)
+        self._bytes_left -= len(data)  # what was read counts, kept or not
+        if self._bytes_left < 0:
             raise Unreadable(
                 f"It is larger than {self._settings.submission_mb} MB; "
                 "clear the notebooks' outputs and hand it in again."
             )
-        if path in self.data:
-            self.notes.append(f"{_show(path)} is there twice; the first was taken.")
+        if too_long:
+            self.notes.append(f"{_show(path)} is too large for saved responses; it was left out.")
             return
-        self._bytes_left -= len(data)
         self.data[path] = data
 
 
@@ -175,7 +177,7 @@ def _read_entry(archive: zipfile.ZipFile, entry: zipfile.ZipInfo, files: Files) 
     if len(path.parts) > MAX_DEPTH + 1:
         files.notes.append(f"Folders more than {MAX_DEPTH} deep were not read.")
         return
-    if not is_wanted(path):
+    if not is_wanted(path) or files.has(path):
         return
     if stat.S_ISLNK(entry.external_attr >> 16):
         files.notes.append(f"{_show(path)} is a link; it was not followed.")

@@ -141,13 +141,16 @@ def plain_response(value: Any, depth: int = 0) -> Any:
 
 
 def keep_response(id: Any, response: Any) -> dict[str, Any]:
-    """``{id: response}`` if both are what a course can hold, else an empty dictionary."""
+    """``{id: response}`` if both are what a course can hold, else an empty dictionary.
+
+    The response may be anything that a process of a student sent, arrays included.
+    """
     if not isinstance(id, str) or not 0 < len(id) <= 40 or not id.isprintable():
         return {}
     try:
         plain = plain_response(response)
         return {id: plain} if len(json.dumps(plain)) <= MAX_RESPONSE else {}
-    except (ValueError, RecursionError):
+    except (TypeError, ValueError, RecursionError):
         return {}
 
 

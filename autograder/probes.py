@@ -48,7 +48,8 @@ def make_probe(question: q.Question, answer: a.Answer, seed: int, root: Path) ->
                 for mistake in answer.alternatives
             ],
         )
-        return Probe(sent, expected=expected)
+        shows_first = answer.picture is not None and bool(cases[0].get("public"))
+        return Probe(sent, expected=expected, shows_first=shows_first)
     return Probe({"kind": question.kind})
 
 

@@ -35,8 +35,11 @@ __all__ = [
 ]
 
 _NUMBERED = re.compile(r"\d{1,2}[ _-]+\w")
-_COPY = re.compile(r"([ _-]*\(\d+\)|[ _-]+copy[ _-]*\d*|-copy\d+)+$", re.IGNORECASE)
+# One suffix of a copy, in only one way: with a choice of ways, a name that a student made up could
+# take for ever to be found not to match.
+_COPY = re.compile(r"(?:\(\d{1,9}\)|[ _-]copy[ _-]?\d{0,9})\Z", re.IGNORECASE)
 _MAX_NAME = 100
+_MAX_STEM = 255  # what a file system allows; a zip may claim 65,535
 
 
 @dataclass(frozen=True)
@@ -180,19 +183,27 @@ def _with_unique_names(paths: list[Path]) -> list[Submission]:
 
 
 def _chapter(path: PurePosixPath, chapters: Collection[str]) -> str:
-    plain = re.sub(r"\W+", "_", path.stem.casefold())
+    plain = re.sub(r"\W+", "_", path.stem[:_MAX_STEM].casefold())
     for chapter in sorted(chapters, key=len, reverse=True):
         if chapter.casefold() in plain:
             return chapter
-    stem = _COPY.sub("", path.stem)
+    stem = _without_copy(path.stem)
     return _text(PurePosixPath(re.sub(r"^(copy of )?\d+[ _-]+", "", stem, flags=re.IGNORECASE)))
 
 
 def _plainest(path: PurePosixPath) -> tuple[bool, int, int, str]:
     """Sort key: the original before its copies, the outermost first, then by name."""
     stem = path.stem.casefold()
-    is_copy = bool(_COPY.search(stem)) or stem.startswith("copy of ")
+    is_copy = _without_copy(stem) != stem[:_MAX_STEM] or stem.startswith("copy of ")
     return (is_copy, len(path.parts), len(stem), str(path))
+
+
+def _without_copy(stem: str) -> str:
+    """The name without what file managers add to a copy: `` (1)``, ``-Copy2``, `` - Copy``."""
+    stem = stem[:_MAX_STEM]
+    while suffix := _COPY.search(stem):
+        stem = stem[: suffix.start()].rstrip(" _-")
+    return stem
 
 
 def _read_sidecar(data: bytes, name: str) -> dict[str, Any]:

@@ -2,6 +2,8 @@
 
 import contextlib
 import copy
+import json
+import shutil
 import tomllib
 from typing import Any
 
@@ -247,13 +249,61 @@ def test_a_variable_of_the_environment_names_the_course(tiny_course, tmp_path, m
         ("solutions/answers/cellar.toml", True),
         ("solutions/kitchen.py", True),
         ("notebooks/source/1_kitchen.py", False),
+        ("notebooks/figures/plots.py", True),
+        ("data/scan.csv", True),
+        ("data/deep/inside.bin", True),
+        ("data/__pycache__/inside.pyc", False),
+        ("notebooks/responses/kitchen.json", False),
+        ("README.md", False),
     ],
 )
 def test_the_version_changes_with_everything_that_can_change_a_mark(tiny_course, file, changes):
+    (tiny_course.root / file).parent.mkdir(parents=True, exist_ok=True)
+    tiny_course.append(file, "\n# a file\n")
     before = tiny_course.load().version
     assert tiny_course.load().version == before
     tiny_course.append(file, "\n# a remark\n")
     assert (tiny_course.load().version != before) == changes
+
+
+def test_the_version_changes_with_the_settings_and_the_demo_cells(tiny_course):
+    tiny_course.write_notebooks()
+    before = tiny_course.load().version
+    tiny_course.replace("pyproject.toml", "question_seconds = 20", "question_seconds = 21")
+    slower = tiny_course.load().version
+    assert slower != before
+    tiny_course.append("pyproject.toml", "\n[tool.other]\nname = 1\n")
+    assert tiny_course.load().version == slower
+    book = tiny_course.root / "notebooks/1_kitchen.ipynb"
+    document = json.loads(book.read_text())
+    document["cells"][1]["metadata"]["tags"] = ["demo"]
+    book.write_text(json.dumps(document))
+    assert tiny_course.load().version != slower
+
+
+def test_the_version_changes_with_the_autograder_that_marks_and_not_with_its_reports(
+    tiny_course, tmp_path, monkeypatch
+):
+    from autograder import course
+
+    package = tmp_path / "autograder"
+    for folder in ("marking", "reports"):
+        (package / folder).mkdir(parents=True)
+        (package / folder / "it.py").write_text("one = 1")
+    monkeypatch.setattr(course, "_PACKAGE", package)
+    before = tiny_course.load().version
+    (package / "reports/it.py").write_text("two = 2")
+    assert tiny_course.load().version == before
+    (package / "marking/it.py").write_text("two = 2")
+    assert tiny_course.load().version != before
+
+
+def test_the_version_is_that_of_another_checkout(tiny_course, tmp_path):
+    (tiny_course.root / "data").mkdir()
+    (tiny_course.root / "data/scan.csv").write_text("1, 2")
+    copy = tmp_path / "elsewhere"
+    shutil.copytree(tiny_course.root, copy, copy_function=shutil.copyfile)
+    assert load_course(copy).version == tiny_course.load().version
 
 
 def test_settings_come_from_pyproject_and_the_rest_from_the_defaults(tiny_course):
@@ -269,13 +319,48 @@ def test_a_course_without_pyproject_has_the_default_limits(tiny_course):
 
 
 @pytest.mark.parametrize(
-    "line", ["memory_gb = 1", "memory_mb = 0", "memory_mb = -3", 'memory_mb = "much"']
+    "line",
+    [
+        "memory_gb = 1",
+        "memory_mb = 0",
+        "memory_mb = -3",
+        'memory_mb = "much"',
+        "memory_mb = true",
+        "memory_mb = nan",
+        "memory_mb = inf",
+        "processes = 1.5",
+        "files = 2.0",
+        "memory_mb = 10000000",
+        "cell_seconds = nan",
+        "cell_seconds = inf",
+        "cell_seconds = -inf",
+        "cell_seconds = true",
+        "cell_seconds = 0.0",
+        "cell_seconds = 1e30",
+        "cell_seconds = [1]",
+        "cell_seconds = 2026-01-01",
+    ],
 )
 def test_a_setting_that_is_unknown_or_no_positive_number_is_said(tiny_course, line):
     tiny_course.append("pyproject.toml", line + "\n")
     sentence = refusal(tiny_course)
     assert line.split()[0] in sentence
     assert "pyproject.toml" in sentence
+    assert sentence.endswith(".")
+
+
+def test_seconds_may_be_a_fraction(tiny_course):
+    tiny_course.append("pyproject.toml", "cell_seconds = 0.5\n")
+    assert tiny_course.load().settings.cell_seconds == 0.5
+
+
+@pytest.mark.parametrize("text", ["tool = 3\n", "[tool]\nautograder = 3\n"])
+def test_settings_that_are_no_table_are_refused_or_nobodys(tiny_course, text):
+    (tiny_course.root / "pyproject.toml").write_text(text)
+    if text.startswith("tool"):
+        assert tiny_course.load().settings == Settings()
+    else:
+        assert "must be a table" in refusal(tiny_course)
 
 
 def test_every_question_of_the_sheet_is_asked_and_answered(real_course):

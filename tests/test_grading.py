@@ -3,7 +3,9 @@
 import csv
 import io
 import json
+import time
 import zipfile
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -11,10 +13,12 @@ import pytest
 from tiny_course import TinyCourse
 
 from autograder.cli import main
+from autograder.course import Settings
 from autograder.grading import grade_contents
 from autograder.marker import Marker
 from autograder.marking import Mark
 from autograder.sandbox.launcher import Stopped
+from autograder.sandbox.stopped import out_of_time
 from autograder.submissions import Contents, Notebook
 
 RIGHT_ORDER = ["cup", "boil", "stir", "pour", "stir_again", "drink"]
@@ -27,7 +31,7 @@ class Scripted:
         self.run_reply, self.replies = run or {}, replies
         self.sessions = 0
 
-    def session(self) -> "Scripted":
+    def session(self, deadline: float) -> "Scripted":
         self.sessions += 1
         return self
 
@@ -103,6 +107,33 @@ def test_a_stopped_response_costs_one_question(tiny_course, status):
     assert (marks["Q1.3"].status, marks["Q1.4"].status) == (status, "not attempted")
 
 
+def test_the_whole_submission_has_one_deadline_and_a_mark_says_when_it_had_passed(tiny_course):
+    deadlines = []
+
+    class Watched(Scripted):
+        def session(self, deadline: float) -> Scripted:
+            deadlines.append(deadline)
+            return super().session(deadline)
+
+    late = out_of_time()
+    course = replace(tiny_course.load(), settings=Settings(submission_seconds=7))
+    contents = Contents({"kitchen": Notebook(["1"]), "cellar": Notebook(["2"])})
+    before = time.monotonic()
+    marks = grade_contents(contents, Marker(course, seed=1), Watched(eggs=late, share=late))
+    assert len(deadlines) == 2
+    assert len(set(deadlines)) == 1
+    assert before + 7 <= deadlines[0] <= time.monotonic() + 7
+    said = {mark.question: (mark.status, mark.feedback) for mark in marks}
+    assert (
+        said["Q1.3"]
+        == said["Q2.1"]
+        == (
+            "timeout",
+            "It took longer than the time limit: the submission as a whole had used up its time.",
+        )
+    )
+
+
 def test_an_unreadable_chapter_is_unreadable_in_every_kind_but_for_saved_choices(tiny_course):
     contents = Contents(
         {},
@@ -128,6 +159,16 @@ def test_a_name_that_is_missing_because_its_cell_raised_is_an_error(tiny_course)
 def test_a_defining_cell_is_found_in_any_form(tiny_course, cell):
     marks = grade(tiny_course, Scripted({"errors": ["NameError"]}), kitchen(cell))
     assert list(statuses(marks)).count("error") == 1
+
+
+@pytest.mark.parametrize(
+    "filling", ["\n", " ", " \n", "\t\n ", "def\n", "def ", "eggs ", "eggs:\n"]
+)
+def test_a_long_cell_that_defines_nothing_is_searched_at_once(tiny_course, filling):
+    began = time.monotonic()
+    marks = grade(tiny_course, Scripted({"errors": ["E"]}), kitchen(filling * 100_000 + "1 / 0"))
+    assert time.monotonic() - began < 5
+    assert marks["Q1.3"].status == "not attempted"
 
 
 @pytest.mark.parametrize(
@@ -195,9 +236,9 @@ def test_grading_resumes_and_runs_again_only_what_changed(
     sessions = []
     session = Sandbox.session
 
-    def counted(self: Sandbox) -> Any:
+    def counted(self: Sandbox, deadline: float) -> Any:
         sessions.append(1)
-        return session(self)
+        return session(self, deadline)
 
     monkeypatch.setattr(Sandbox, "session", counted)
     out = tmp_path / "out"
@@ -229,6 +270,61 @@ def test_grading_resumes_and_runs_again_only_what_changed(
     assert main(command) == 0
     assert len(sessions) > before
     assert grades(out)["boole"]["total"] == "0.5"
+
+
+def test_an_error_of_the_graders_own_costs_one_submission_and_says_so(
+    tiny_course, handed_in, tmp_path, monkeypatch, capsys
+):
+    """Whatever a submission may yet find to break, the next one is graded."""
+    from autograder import grading
+
+    zipped(handed_in / "boole.zip", {"2_cellar.ipynb": tiny_course.solved_cells("2_cellar")})
+    zipped(handed_in / "cantor.zip", {"2_cellar.ipynb": tiny_course.solved_cells("2_cellar")})
+    zipped(handed_in / "dedekind.zip", {"2_cellar.ipynb": tiny_course.solved_cells("2_cellar")})
+    broken = {"boole", "cantor"}
+    read, mark = grading.read_submission, grading.grade_contents
+
+    def read_or_fail(submission: Any, *arguments: Any) -> Any:
+        if submission.student == "boole" and broken:
+            raise TypeError("the text of a student")
+        contents = read(submission, *arguments)
+        contents.notes.append(submission.student)
+        return contents
+
+    def mark_or_fail(contents: Any, *arguments: Any) -> Any:
+        if "cantor" in contents.notes and broken:
+            raise ValueError("the truth value of an array")
+        return mark(contents, *arguments)
+
+    monkeypatch.setattr(grading, "read_submission", read_or_fail)
+    monkeypatch.setattr(grading, "grade_contents", mark_or_fail)
+    out = tmp_path / "out"
+    command = ["--course", str(tiny_course.root), "grade", str(handed_in), "--out", str(out)]
+    assert main(command) == 0
+    totals = {student: row["total"] for student, row in grades(out).items()}
+    assert totals == {"ada": "19", "boole": "0", "cantor": "0", "dedekind": "1"}
+    pages = {name: (out / f"feedback/{name}.html").read_text("utf-8") for name in totals}
+    assert "The autograder itself failed on this submission (ValueError in" in pages["cantor"]
+    assert "The autograder itself failed on this submission (TypeError in" in pages["boole"]
+    assert "the text of a student" not in pages["boole"]
+    # It is not taken for graded: the next run tries again.
+    broken.clear()
+    assert main(command) == 0
+    assert [row["total"] for row in grades(out).values()] == ["19", "1", "1", "1"]
+
+
+def test_a_broken_machine_stops_the_run(tiny_course, handed_in, tmp_path, monkeypatch, capsys):
+    from autograder import grading
+    from autograder.sandbox.launcher import SandboxError
+
+    def fail(*arguments: Any) -> Any:
+        raise SandboxError("Nothing works here.")
+
+    monkeypatch.setattr(grading, "grade_contents", fail)
+    out = str(tmp_path / "out")
+    command = ["--course", str(tiny_course.root), "grade", str(handed_in), "--out", out]
+    assert main(command) == 1
+    assert "Nothing works here." in capsys.readouterr().err
 
 
 WRONG_USAGE = [

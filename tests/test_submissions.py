@@ -6,6 +6,7 @@ import os
 import random
 import stat
 import tempfile
+import time
 import zipfile
 from pathlib import Path
 
@@ -231,6 +232,30 @@ def test_a_copy_belongs_to_its_chapter(tmp_path, name):
     assert list(read_zip(tmp_path, {name: notebook("k = 1")}).notebooks) == ["ransac"]
 
 
+@pytest.mark.parametrize(
+    "suffix",
+    ["-copy1" * 40, "-copy1" * 10_000, " (1)" * 10_000, "-copy" * 10_000, "- _" * 10_000,
+     "-" * 60_000 + "copy", "(1" * 30_000, "copy " + "1" * 60_000],
+    ids=lambda suffix: f"{suffix[:6]} {len(suffix)}",
+)  # fmt: skip
+def test_a_name_made_to_look_like_a_copy_in_many_ways_is_read_at_once(tmp_path, suffix):
+    began = time.monotonic()
+    books = {"3_ransac.ipynb": notebook("k = 1"), f"3_ransac{suffix}x.ipynb": notebook("k = 2")}
+    contents = read_zip(tmp_path, books)
+    assert time.monotonic() - began < 1
+    assert contents.notebooks["ransac"].cells == ["k = 1"]
+
+
+def test_a_copy_of_a_copy_belongs_to_its_chapter(tmp_path):
+    names = [
+        "3_ransac-Copy1 (2).ipynb",
+        "3_ransac (1) - Copy (3).ipynb",
+        "3_ransac(4)_copy_2.ipynb",
+    ]
+    for name in names:
+        assert list(read_zip(tmp_path, {name: notebook("k = 1")}).notebooks) == ["ransac"]
+
+
 def test_with_the_chapters_known_a_renamed_notebook_is_found(tmp_path):
     path = tmp_path / "lovelace_4711_3_RANSAC final.ipynb"
     path.write_bytes(notebook("k = 1"))
@@ -402,6 +427,40 @@ def test_of_a_name_that_is_in_the_zip_twice_the_first_is_taken(tmp_path):
     contents = read(path)
     assert contents.notebooks["ransac"].cells == ["first"]
     assert contents.notes == ["3_ransac.ipynb is there twice; the first was taken."]
+
+
+def test_entries_of_one_name_are_unpacked_once(tmp_path, monkeypatch):
+    """And what is unpacked counts, even if it is then left out."""
+    opened = []
+    really = zipfile.ZipFile.open
+
+    def open_entry(archive: zipfile.ZipFile, entry: zipfile.ZipInfo, *arguments: str) -> object:
+        opened.append(entry.filename)
+        return really(archive, entry, *arguments)
+
+    path = tmp_path / "ada.zip"
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr("3_ransac.ipynb", notebook("first"))
+        for _ in range(5):
+            with pytest.warns(UserWarning, match="Duplicate"):
+                archive.writestr("3_ransac.ipynb", notebook("again"))
+    monkeypatch.setattr(zipfile.ZipFile, "open", open_entry)
+    assert read(path).notebooks["ransac"].cells == ["first"]
+    assert opened == ["3_ransac.ipynb"]
+
+
+def test_responses_that_are_too_large_count_towards_the_whole(tmp_path):
+    noise = random.Random(1).randbytes(2**20 + 1)
+    entries = {f"responses/{n}.json": noise for n in range(4)}
+    books = {"3_ransac.ipynb": notebook("k = 1")}
+    contents = read_zip(tmp_path, {**books, **entries}, submission_mb=6)
+    assert contents.notes.count("0.json is too large for saved responses; it was left out.") == 1
+    (tmp_path / "folder/responses").mkdir(parents=True)
+    for name, data in entries.items():
+        (tmp_path / "folder" / name).write_bytes(data)
+    (tmp_path / "folder/3_ransac.ipynb").write_bytes(notebook("k = 1"))
+    with pytest.raises(Unreadable, match="larger than 2 MB"):
+        read(tmp_path / "folder", submission_mb=2)
 
 
 def test_checkpoints_and_resource_forks_are_passed_over(tmp_path):

@@ -53,7 +53,8 @@ def mark_function(
         Part(kind, all(verdicts[i] for i in indices), _what_happened(outcomes, indices))
         for kind, indices in kinds.items()
     )
-    shown = shown_outcome(expected.cases, outcomes)
+    # Without a picture the first case was not asked alone.
+    shown = shown_outcome(expected.cases, outcomes) if answer.picture else None
     known: dict[str, Any] = {"parts": parts, "explanation": answer.explanation, "shown": shown}
     if all(verdicts):
         feedback = f"Right on all {len(kinds)} kinds of input."

@@ -24,7 +24,8 @@ def mark_response(
     """Mark one response.
 
     For true/false and order questions ``response`` is the list the student gave (None if there is
-    none). For the others it is what `autograder.sandbox.evaluate.evaluate` returned for the probe.
+    none). For the others it is what `autograder.sandbox.evaluate.evaluate` returned for the probe,
+    and ``understood`` what the response looked like before any probe was sent.
     Nothing in it is trusted.
     """
     if isinstance(question, q.TrueFalse) and isinstance(answer, a.TrueFalseAnswer):
@@ -36,12 +37,16 @@ def mark_response(
             return not_attempted(question)
         return mark_order(question, answer, response)
     response = response if isinstance(response, dict) else {}
-    mark = _mark_evaluated(question, answer, probe, response)
+    mark = _mark_evaluated(question, answer, probe, response, understood)
     return mark if mark.understood else replace(mark, understood=understood)
 
 
 def _mark_evaluated(
-    question: q.Question, answer: a.Answer, probe: Probe, response: dict[str, Any]
+    question: q.Question,
+    answer: a.Answer,
+    probe: Probe,
+    response: dict[str, Any],
+    understood: str,
 ) -> Mark:
     state, reason = _text(response.get("state")), _text(response.get("reason"))
     if state == "not attempted":
@@ -55,7 +60,7 @@ def _mark_evaluated(
         if isinstance(question, q.Number) and isinstance(answer, a.NumberAnswer):
             value = response.get("value")
             if _is_finite_number(value):
-                return mark_number(question, answer, value)
+                return mark_number(question, answer, value, understood)
         if isinstance(question, q.Expression) and isinstance(answer, a.ExpressionAnswer):
             return mark_expression(question, answer, probe.points, response.get("values"))
         if (

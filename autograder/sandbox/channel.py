@@ -31,6 +31,7 @@ class Channel:
     ) -> None:
         self._socket = sock
         self._max_json, self._max_arrays = max_json, max_arrays
+        self.received = 0  # bytes, in all
 
     def fileno(self) -> int:
         """The descriptor, for `select`."""
@@ -79,6 +80,7 @@ class Channel:
             if not part:
                 raise EOFError
             data += part
+            self.received += len(part)
         return bytes(data)
 
     def _wait(self, deadline: float | None, to_write: bool = False) -> None:

@@ -6,6 +6,7 @@ never runs in this process, and only plain data comes back.
 
 from __future__ import annotations
 
+import math
 import sys
 import threading
 from typing import Any, Literal, cast
@@ -71,14 +72,17 @@ class Sandbox:
     def __exit__(self, *exception: object) -> None:
         self.stop()
 
-    def session(self) -> Session:
-        """A fresh process for one notebook of one submission; use it as a context manager."""
+    def session(self, deadline: float = math.inf) -> Session:
+        """A fresh process for one notebook of one submission; use it as a context manager.
+
+        After ``deadline``, on the monotonic clock, it begins nothing any more.
+        """
         if self._plain:
             from autograder.sandbox.plain import PlainSession
 
-            session: Any = PlainSession(self._course)
+            session: Any = PlainSession(self._course, deadline)
         else:
-            session = Session(self._take_host, self._course.settings, self._seed)
+            session = Session(self._take_host, self._course.settings, self._seed, deadline)
         self._sessions = [session]
         return cast("Session", session)
 

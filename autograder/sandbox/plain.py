@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import math
 import os
 import shutil
 import signal
 import subprocess
 import sys
 import threading
+import time
 from contextlib import suppress
 from pathlib import Path
 from typing import Any
@@ -17,7 +19,7 @@ from autograder.sandbox import wire
 from autograder.sandbox.own_folder import OwnFolder
 from autograder.sandbox.removal import remove
 from autograder.sandbox.replies import clean_evaluation, clean_report
-from autograder.sandbox.stopped import Stopped
+from autograder.sandbox.stopped import Stopped, out_of_time
 
 VISIBLE = ("autograder", "data", "notebooks")
 
@@ -29,8 +31,9 @@ class PlainSession:
     cells are run again, so that the failure costs one question.
     """
 
-    def __init__(self, course: Course) -> None:
+    def __init__(self, course: Course, deadline: float = math.inf) -> None:
         self._course = course
+        self._deadline = deadline
         self._process: subprocess.Popen[bytes] | None = None
         self._cells: list[str] = []
 
@@ -77,6 +80,9 @@ class PlainSession:
         self._process = None
 
     def _ask(self, message: dict[str, Any], seconds: float) -> dict[str, Any]:
+        seconds = min(seconds, self._deadline - time.monotonic())
+        if seconds <= 0:
+            raise out_of_time()
         if self._process is None:
             self._start()
         process = self._process

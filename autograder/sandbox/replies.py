@@ -14,6 +14,7 @@ from autograder.sandbox.evaluate import REASONS
 _CLASS_NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]{0,60}")
 _MAX_TEXT = 200
 _OUTCOMES = ("value", "unusable", "raised")
+_MAX_TABLE = 2**24  # characters of a list as an array of texts
 NOT_PLAIN = {"state": "unusable", "reason": "not plain"}
 
 
@@ -37,7 +38,9 @@ def clean_report(reply: Any, cells: int) -> dict[str, Any]:
 def clean_evaluation(reply: Any) -> dict[str, Any]:
     """The reply to a probe, in the form that `autograder.sandbox.evaluate` describes."""
     reply = _dictionary(reply)
-    match reply.get("state"):
+    state = reply.get("state")
+    # An array in its place would raise on being compared.
+    match state if isinstance(state, str) else None:
         case "not attempted":
             return {"state": "not attempted"}
         case "raised":
@@ -65,13 +68,35 @@ def _outcome(entry: Any) -> dict[str, Any]:
     entry = _dictionary(entry)
     if len(entry) == 1:
         ((kind, value),) = entry.items()
-        if kind == "value":
+        if kind == "value" and _is_bounded(value):
             return {"value": value}
         if kind == "raised":
             return {"raised": _public_name(value)}
         if kind == "unusable" and _is_reason(value):
             return {"unusable": value}
     return {"unusable": "not plain"}
+
+
+def _is_bounded(value: Any) -> bool:
+    """Whether NumPy can be given the value, whatever is then compared with it.
+
+    It makes an array of texts out of a list that holds one, each as long as the longest: a long
+    text beside many short entries would take gigabytes.
+    """
+    entries, longest = 0, 0
+    left = [value]
+    while left:
+        item = left.pop()
+        if isinstance(item, list):
+            left += item
+        elif isinstance(item, dict):
+            left += item.values()
+        elif isinstance(item, np.ndarray):
+            entries += item.size
+        else:
+            entries += 1
+            longest = max(longest, len(item) if isinstance(item, str) else 0)
+    return entries * longest <= _MAX_TABLE
 
 
 def _is_reason(value: Any) -> bool:
@@ -89,9 +114,11 @@ def _class_name(value: Any) -> str:
 
 
 def _public_name(value: Any) -> str:
-    known = getattr(builtins, value, None) if isinstance(value, str) else None
+    if not isinstance(value, str):
+        return "Exception"
+    known = getattr(builtins, value, None)
     if value == "LinAlgError" or (isinstance(known, type) and issubclass(known, BaseException)):
-        return str(value)
+        return value
     return "Exception"
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 import secrets
 import select
@@ -15,10 +16,13 @@ from autograder.sandbox import wire
 from autograder.sandbox.channel import Channel, Late
 from autograder.sandbox.host import Host, HostError, limits
 from autograder.sandbox.replies import clean_evaluation, clean_report
-from autograder.sandbox.stopped import Stopped
+from autograder.sandbox.stopped import Stopped, out_of_time
 
 GRACE = 1.0  # seconds between the child's own limit and the one kept here
-MAX_STRAY = 1000  # messages that answer nothing before the channel counts as broken
+# What may come from one process without answering anything before its channel counts as broken:
+# reading it costs the grader time, which belongs to all submissions.
+MAX_STRAY = 16  # messages; a process that a response forked and forgot may well send one
+MAX_STRAY_BYTES = 2**20  # notices that a cell begins included
 MAX_RESTARTS = 3
 
 
@@ -27,11 +31,19 @@ class Session:
 
     Every answer must carry the nonce of its question and come before a deadline that is kept here.
     When a cell hangs or crashes beyond what the child itself can catch, the notebook is run again
-    without that cell; when a response does, the next question still works.
+    without that cell; when a response does, the next question still works. After ``deadline``, on
+    the monotonic clock, nothing is begun any more.
     """
 
-    def __init__(self, take_host: Callable[[], Host], settings: Settings, seed: int) -> None:
+    def __init__(
+        self,
+        take_host: Callable[[], Host],
+        settings: Settings,
+        seed: int,
+        deadline: float = math.inf,
+    ) -> None:
         self._take_host = take_host
+        self._deadline = deadline
         self._settings = settings
         self._seed = seed
         self._host: Host | None = None
@@ -41,6 +53,7 @@ class Session:
         self._restarts_left = MAX_RESTARTS
         self._begun_anew = False
         self._in_cell: int | None = None
+        self._strays, self._stray_bytes = 0, 0
 
     def __enter__(self) -> Session:
         return self
@@ -59,6 +72,7 @@ class Session:
             Stopped: if no run of the notebook came to its end.
         """
         self._cells, self._stopped_cells = cells, {}
+        self._check_deadline()
         return self._run(names)
 
     def evaluate(self, name: str, probe: dict[str, Any]) -> dict[str, Any]:
@@ -68,6 +82,7 @@ class Session:
             Stopped: if it takes too long, if its process dies, or if the cell that should define it
                 was stopped.
         """
+        self._check_deadline()
         if self._channel is None:
             self._restart()
             self._run([])
@@ -91,7 +106,9 @@ class Session:
         return reply
 
     def _ask_to_evaluate(self, name: str, probe: dict[str, Any]) -> dict[str, Any]:
-        seconds = self._settings.question_seconds
+        seconds = min(self._settings.question_seconds, self._deadline - time.monotonic())
+        if seconds <= 0:  # running the notebook again took the rest
+            raise out_of_time()
         message = {"do": "evaluate", "name": name, "probe": probe, "seconds": seconds}
         answer = self._ask(message, time.monotonic() + seconds + GRACE)
         if "reply" not in answer:
@@ -100,7 +117,7 @@ class Session:
 
     def _run(self, names: list[str]) -> dict[str, Any]:
         settings = self._settings
-        end = time.monotonic() + settings.notebook_seconds
+        end = min(time.monotonic() + settings.notebook_seconds, self._deadline)
         while True:
             if self._channel is None:
                 self._open()
@@ -137,18 +154,24 @@ class Session:
         assert self._channel is not None
         nonce = secrets.token_hex(16)
         cell_deadline = deadline
+        notices = len(self._cells)
         try:
             self._channel.send({**message, "nonce": nonce}, deadline)
-            for _ in range(MAX_STRAY + len(self._cells)):
+            while True:
                 self._wait(min(deadline, cell_deadline))
+                before = self._channel.received
                 answer = self._channel.receive(min(deadline, cell_deadline))
-                if not isinstance(answer, dict) or answer.get("nonce") != nonce:
-                    continue
-                if "cell" not in answer:
+                if _carries(answer, nonce) and "cell" not in answer:
                     return answer
-                self._note_cell(answer["cell"])
-                cell_deadline = time.monotonic() + self._settings.cell_seconds + GRACE
-            raise wire.WireError("too many messages that answer nothing")
+                self._stray_bytes += self._channel.received - before
+                if _carries(answer, nonce) and notices > 0:
+                    notices -= 1
+                    self._note_cell(answer["cell"])
+                    cell_deadline = time.monotonic() + self._settings.cell_seconds + GRACE
+                else:
+                    self._strays += 1
+                if self._strays > MAX_STRAY or self._stray_bytes > MAX_STRAY_BYTES:
+                    raise wire.WireError("too many messages that answer nothing")
         except Late:
             self._close()
             raise Stopped("timeout") from None
@@ -176,8 +199,12 @@ class Session:
             # What the child started may hold the channel open; the child itself has gone.
             raise EOFError
 
+    def _check_deadline(self) -> None:
+        if time.monotonic() >= self._deadline:
+            raise out_of_time()
+
     def _note_cell(self, index: Any) -> None:
-        if isinstance(index, int) and 0 <= index < len(self._cells):
+        if type(index) is int and 0 <= index < len(self._cells):
             self._in_cell = index
 
     def _why_gone(self, error: Exception) -> str:
@@ -204,6 +231,7 @@ class Session:
             self._host = self._take_host()
             try:
                 self._channel = self._host.open(limits(self._settings), self._seed)
+                self._strays, self._stray_bytes = 0, 0
                 return
             except HostError:
                 self._host.stop()  # the next one is new
@@ -221,8 +249,22 @@ class Session:
             self._host.stop()
 
 
+def _carries(answer: Any, nonce: str) -> bool:
+    """Whether a message is the answer to the question with this nonce.
+
+    Student code may have put an array in the nonce's place, and that cannot be compared.
+    """
+    given = answer.get("nonce") if isinstance(answer, dict) else None
+    return isinstance(given, str) and given == nonce
+
+
 def _stop_by(number: Any) -> Stopped:
-    """What it means that the fork for one question ended without an answer."""
+    """What it means that the fork for one question ended without an answer.
+
+    ``number`` is the signal that ended it, or anything else that student code sent.
+    """
+    if type(number) is not int:
+        number = 0
     if number == signal.SIGALRM:
         return Stopped("timeout")
     if number == signal.SIGXCPU:

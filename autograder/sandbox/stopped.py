@@ -11,3 +11,8 @@ class Stopped(Exception):
         super().__init__(status, why)
         self.status = status
         self.why = why
+
+
+def out_of_time() -> Stopped:
+    """What is raised where a submission has used up the time that all of it may take."""
+    return Stopped("timeout", "the submission as a whole had used up its time")

@@ -8,7 +8,9 @@ A message is a JSON value in which arrays, complex numbers and tuples may stand.
     bytes    the arrays, C order, one after the other
 
 Nothing that is read here can run code: no pickle, no object arrays, and every length is compared
-with a cap before memory is taken.
+with a cap before memory is taken. What is read takes little more memory than its frame: JSON of
+nothing but brackets would take fifty times its length, so lists and dictionaries and what they hold
+are counted first, and every array stands in one place only.
 """
 
 from __future__ import annotations
@@ -26,6 +28,8 @@ HEADER = struct.Struct(">IQ")
 MAX_JSON = 16 * 2**20
 MAX_ARRAYS = 256 * 2**20
 MAX_DEPTH = 32
+MAX_ARRAY_COUNT = 10_000
+BYTES_A_PART = 16  # of the cap on JSON, for each entry of a list or a dictionary
 _KINDS = "biufc"
 _ITEM_SIZES = {"b": (1,), "i": (1, 2, 4, 8), "u": (1, 2, 4, 8), "f": (2, 4, 8), "c": (8, 16)}
 _TYPE = re.compile(r"[<>|=]?([biufc])(\d{1,2})")
@@ -57,6 +61,9 @@ def encode(value: Any) -> bytes:
         if isinstance(item, np.ndarray):
             if item.dtype.kind not in _KINDS:
                 raise WireError(f"an array of {item.dtype} is not plain data")
+            if len(arrays) == MAX_ARRAY_COUNT:
+                raise WireError("too many arrays")
+            # One that stands in several places is written several times.
             arrays.append(np.asarray(item))
             return {"~": "array", "at": len(arrays) - 1}
         if isinstance(item, list | tuple):
@@ -87,7 +94,10 @@ def decode(text: bytes, raw: bytes) -> Any:
     try:
         message = json.loads(text)
         body, table = message["body"], message["arrays"]
-        arrays, at = [], 0
+        if len(table) > MAX_ARRAY_COUNT:
+            raise WireError("too many arrays")
+        arrays: list[np.ndarray | None] = []
+        at = 0
         for code, shape in table:
             dtype = _allowed_type(code)
             if len(shape) > _MAX_DIMENSIONS or not all(
@@ -104,7 +114,10 @@ def decode(text: bytes, raw: bytes) -> Any:
             at += size
         if at != len(raw):
             raise WireError("bytes that belong to no array")
-        return _restore(body, arrays)
+        value = _restore(body, arrays)
+        if any(array is not None for array in arrays):
+            raise WireError("an array that stands nowhere")
+        return value
     except (
         ValueError,
         TypeError,
@@ -124,7 +137,8 @@ def _allowed_type(code: Any) -> np.dtype[Any]:
     return np.dtype(code)
 
 
-def _restore(item: Any, arrays: list[np.ndarray], depth: int = 0) -> Any:
+def _restore(item: Any, arrays: list[np.ndarray | None], depth: int = 0) -> Any:
+    """The value with its arrays in place, each taken out of ``arrays``: none stands in two."""
     if depth > 2 * MAX_DEPTH:
         raise WireError("nested too deeply")
     if isinstance(item, list):
@@ -141,9 +155,12 @@ def _restore(item: Any, arrays: list[np.ndarray], depth: int = 0) -> Any:
                 return complex(float(item["re"]), float(item["im"]))
             case "array":
                 index = item["at"]
-                if not isinstance(index, int) or not 0 <= index < len(arrays):
+                if type(index) is not int or not 0 <= index < len(arrays):
                     raise WireError("an array that is not there")
-                return arrays[index]
+                array, arrays[index] = arrays[index], None
+                if array is None:
+                    raise WireError("an array that stands in two places")
+                return array
         raise WireError("an unknown marker")
     return item
 
@@ -163,4 +180,8 @@ def read_message(
     json_length, array_length = HEADER.unpack(read_exactly(HEADER.size))
     if json_length > max_json or array_length > max_arrays:
         raise WireError("a message larger than the cap")
-    return decode(read_exactly(json_length), read_exactly(array_length))
+    text = read_exactly(json_length)
+    # Commas and brackets inside of texts count too; no honest message comes near the cap.
+    if sum(map(text.count, (b",", b"[", b"{"))) > max_json // BYTES_A_PART:
+        raise WireError("a message of too many parts")
+    return decode(text, read_exactly(array_length))

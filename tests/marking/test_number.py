@@ -33,8 +33,9 @@ def answer_of(*alternatives: tuple[float, float], tolerance: float | None = None
     )
 
 
-def mark(value: float, answer: NumberAnswer, **question: object) -> Mark:
-    return mark_number(Number(**COMMON, variable="x", **question), answer, value)  # type: ignore[arg-type]
+def mark(value: float, answer: NumberAnswer, understood: str = "", **question: object) -> Mark:
+    asked = Number(**COMMON, variable="x", **question)  # type: ignore[arg-type]
+    return mark_number(asked, answer, value, understood)
 
 
 @given(truth=st.integers(-(10**6), 10**6), off=st.integers(-3, 3))
@@ -100,7 +101,19 @@ def test_an_unknown_value_earns_nothing_and_points_to_the_hints():
 
 
 def test_the_value_is_repeated_with_its_unit():
-    assert mark(1 / 3, answer_of((1, 1.0)), decimals=2, unit="m").understood == "0.3333333333 m"
+    verdict = mark(1 / 3, answer_of((1, 1.0)), str(1 / 3), decimals=2, unit="m")
+    assert verdict.understood == "0.3333333333 m"
+    assert mark(1.0, answer_of((1, 1.0)), decimals=2, unit="m").understood == "1 m"
+    known = mark(1.0986, answer_of((1.0986, 1.0)), "log(3)", decimals=4, unit="m")
+    assert known.understood == "1.0986 m"
+
+
+@pytest.mark.parametrize("before", ["", "log(3)", "<Liar object at 0x7f>", "-1.0"])
+def test_a_value_that_the_key_does_not_know_is_shown_as_it_was_before_it_was_evaluated(before):
+    """It may be a hidden input by then, which another response has kept."""
+    verdict = mark(987.654321, answer_of((1, 1.0)), before, decimals=2)
+    assert verdict.understood == before.removesuffix(".0")
+    assert "987" not in str(verdict)
 
 
 @pytest.fixture

@@ -49,7 +49,7 @@ def test_a_header_within_the_cap_that_nothing_follows_is_a_timeout(session):
 
 def test_an_answer_without_the_nonce_is_passed_over(session):
     forged = '{"nonce": "guess", "reply": {"errors": [], "responses": {"Q1": "forged"}}}'
-    code = FIND_THE_CHANNEL + f"os.write(channel, frame(json.loads('{forged}')) * 50)"
+    code = FIND_THE_CHANNEL + f"os.write(channel, frame(json.loads('{forged}')) * 10)"
     report = session.run([code, "a = 1"], ["a"])
     assert report == {"errors": [None, None], "responses": {}, "understood": {"a": "1"}}
 
@@ -71,8 +71,85 @@ def test_an_answer_before_the_real_one_wins_nothing_that_an_answer_could_not(ses
     assert session.evaluate("k", NUMBER) == {"state": "given", "value": 5}
 
 
+ARRAY = """
+ones = '{"~": "array", "at": 0}'
+def frame_with_array(body):
+    text = ('{"body": ' + body + ', "arrays": [["<f8", [2]]]}').encode()
+    return struct.pack(">IQ", len(text), 16) + text + bytes(16)
+"""
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        "{'nonce': ARRAY}",
+        "{'nonce': NONCE, 'cell': ARRAY}",
+        "{'nonce': NONCE, 'reply': ARRAY}",
+        "{'nonce': NONCE, 'reply': {'errors': [1, 2], 'responses': {'Q1': ARRAY}}}",
+        "{'nonce': NONCE, 'reply': {'errors': ARRAY, 'responses': {'Q1': COMPLEX}}}",
+    ],
+)
+def test_an_array_where_the_grader_expects_a_text_is_no_answer(session, body):
+    body = body.replace("'", '"').replace("COMPLEX", '{"~": "complex", "re": 0, "im": 1}')
+    code = f"{FIND_THE_CHANNEL}{ARRAY}body = {body!r}\n" + (
+        "body = body.replace('NONCE', json.dumps(find_nonce())).replace('ARRAY', ones)\n"
+        "os.write(channel, frame_with_array(body))\nk = 5"
+    )
+    report = session.run([code], ["k"])
+    assert report["responses"] == {}
+    assert session.evaluate("k", NUMBER) == {"state": "given", "value": 5}
+
+
+@pytest.mark.parametrize(
+    "reply",
+    [
+        '"reply": {"state": ARRAY}',
+        '"ended_by": ARRAY',
+        '"reply": {"state": "raised", "error": ARRAY}',
+    ],
+)
+def test_an_array_in_the_answer_to_a_question_costs_that_question(session, reply):
+    code = f"{FIND_THE_CHANNEL}{ARRAY}reply = {reply!r}\n" + (
+        "def f(x):\n"
+        "    body = '{\"nonce\": ' + json.dumps(find_nonce()) + ', ' + reply + '}'\n"
+        "    os.write(channel, frame_with_array(body.replace('ARRAY', ones)))\n"
+        "    os._exit(77)\n"
+        "k = 5"
+    )
+    session.run([code], [])
+    try:
+        assert asked(session, "f", 1.0)["state"] in ("unusable", "raised")
+    except Stopped as stopped:
+        assert stopped.status == "killed"  # noqa: PT017 -- either way nothing is won
+    assert session.evaluate("k", NUMBER) == {"state": "given", "value": 5}
+
+
 def test_an_endless_stream_of_stray_answers_is_cut_off(session):
     code = FIND_THE_CHANNEL + "while True: os.write(channel, frame({'nonce': 'x'}))"
+    assert session.run([code], [])["errors"] == ["killed"]
+
+
+@pytest.mark.parametrize(
+    "message",
+    [
+        "{'nonce': 'x', 'long': 'x' * 900_000}",
+        "{'nonce': find_nonce(), 'cell': 1, 'x': 'x' * 900_000}",
+    ],
+    ids=["strays", "notices of cells"],
+)
+def test_a_few_long_stray_answers_are_enough(session, message):
+    code = f"{FIND_THE_CHANNEL}for _ in range(3): os.write(channel, frame({message}))"
+    began = time.monotonic()
+    assert session.run(["k = 5", code], ["k"])["errors"] == [None, "killed"]
+    assert session.evaluate("k", NUMBER) == {"state": "given", "value": 5}
+    assert time.monotonic() - began < 6
+
+
+def test_more_notices_than_cells_are_strays(session):
+    code = (
+        FIND_THE_CHANNEL
+        + "while True: os.write(channel, frame({'nonce': find_nonce(), 'cell': 0}))"
+    )
     assert session.run([code], [])["errors"] == ["killed"]
 
 

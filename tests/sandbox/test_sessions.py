@@ -1,5 +1,8 @@
 """What student code is offered: everything that a notebook in Jupyter has, and no more."""
 
+import contextlib
+import time
+
 import numpy as np
 import pytest
 from small_course import GOOD, NUMBER, check_good
@@ -130,6 +133,32 @@ def test_a_crash_in_one_function_costs_that_question_and_is_named(session):
         session.evaluate("crash", {"kind": "function", "cases": [{"args": []}]})
     assert (stopped.value.status, stopped.value.why) == ("killed", "it crashed (SIGSEGV)")
     assert session.evaluate("k", NUMBER) == {"state": "given", "value": 74}
+
+
+def test_after_the_submissions_time_nothing_is_begun_any_more(sandbox):
+    loop = "def hang():\n    while True: pass"
+    began = time.monotonic()
+    with sandbox.session(began + 1.5) as session:
+        assert session.run([loop, "k = 1"], ["k"])["understood"] == {"k": "1"}
+        with pytest.raises(Stopped):  # cut off by that time, not by its own
+            session.evaluate("hang", {"kind": "function", "cases": [{"args": []}]})
+        for _ in range(20):
+            with pytest.raises(Stopped) as stopped:
+                session.evaluate("k", NUMBER)
+            assert stopped.value.status == "timeout"
+            assert stopped.value.why == "the submission as a whole had used up its time"
+    with sandbox.session(began + 1.5) as session, pytest.raises(Stopped):
+        session.run(["k = 1"], ["k"])
+    assert time.monotonic() - began < 4
+
+
+def test_restarts_do_not_give_a_submission_more_time(sandbox):
+    """Each cell ends its process, and before the first of them each run takes a while."""
+    began = time.monotonic()
+    cells = ["import os, time\ntime.sleep(0.9)", *["os._exit(0)"] * 4]
+    with sandbox.session(began + 1.2) as session, contextlib.suppress(Stopped):
+        session.run(cells, [])
+    assert time.monotonic() - began < 3
 
 
 def test_cells_after_the_notebooks_time_are_not_run(sandbox):

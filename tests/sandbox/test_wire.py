@@ -14,7 +14,8 @@ from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
 
 from autograder.sandbox import wire
-from autograder.sandbox.replies import clean_evaluation, clean_report, clean_text
+from autograder.sandbox.replies import NOT_PLAIN, clean_evaluation, clean_report, clean_text
+from autograder.sandbox.session import _carries, _stop_by
 from autograder.sandbox.wire import HEADER, WireError, encode, read_message
 
 PACKAGE = Path(wire.__file__).parents[1]
@@ -107,13 +108,47 @@ def test_a_message_with_a_byte_changed_is_a_message_or_refused(position, byte, v
         read(bytes(data), max_json=10**6, max_arrays=10**6)
 
 
-@settings(max_examples=300, deadline=None)
-@given(_json)
+# What can stand in a message; `_json` is what can stand in its bytes.
+_sent = st.recursive(
+    st.none() | st.booleans() | st.integers() | st.floats() | st.complex_numbers()
+    | st.text(st.characters(), max_size=4)
+    | hnp.arrays(st.sampled_from([np.float64, np.int8, np.bool_, np.complex64]), st.integers(0, 2))
+    | st.sampled_from(["given", "raised", "unusable", "missing", "not attempted", "TypeError"]),
+    lambda inner: st.lists(inner, max_size=4)
+    | st.dictionaries(
+        st.sampled_from(["state", "reason", "error", "errors", "value", "values", "outcomes",
+                         "raised", "unusable", "responses", "understood", "Q1", "nonce"]),
+        inner, max_size=5,
+    ),
+    max_leaves=20,
+)  # fmt: skip
+
+
+@settings(max_examples=400, deadline=None)
+@given(_sent)
 def test_whatever_a_message_says_the_rest_of_the_grader_gets_clean_data(value):
     report = clean_report(value, 2)
     assert len(report["errors"]) == 2
     json.dumps(report, allow_nan=False).encode()
-    assert clean_evaluation(value)["state"] in ("given", "raised", "unusable", "not attempted")
+    reply = clean_evaluation(value)
+    assert reply["state"] in ("given", "raised", "unusable", "not attempted")
+    assert isinstance(reply.get("reason", ""), str)
+    assert isinstance(reply.get("error", ""), str)
+    assert _stop_by(value).status in ("timeout", "killed")
+    assert not _carries(value, "nonce of the question")
+
+
+@pytest.mark.parametrize("odd", [np.arange(2), np.array("given"), 1j, [], {}, True], ids=str)
+def test_what_takes_the_place_of_a_text_is_as_good_as_nothing(odd):
+    assert clean_evaluation({"state": odd}) == NOT_PLAIN
+    assert clean_evaluation({"state": "raised", "error": odd})["error"] == "Exception"
+    assert clean_evaluation({"state": "unusable", "reason": odd}) == NOT_PLAIN
+    assert clean_evaluation({"state": "given", "outcomes": [{"raised": odd}, {"unusable": odd}]})
+    assert clean_report({"errors": [odd]}, 1)["errors"] == ["Exception"]
+    assert clean_report({"understood": {"k": odd}}, 0)["understood"] == {"k": ""}
+    assert clean_report({"responses": {"Q1": 1j, "Q2": [np.arange(2)]}}, 0)["responses"] == {}
+    assert _stop_by(odd).status == "killed"
+    assert not _carries({"nonce": odd}, "given")
 
 
 def test_a_claim_beyond_the_cap_is_refused_before_memory_is_taken():
@@ -164,6 +199,66 @@ def test_a_truth_value_that_is_neither_0_nor_1_becomes_true():
 def test_json_made_to_break_a_parser_is_refused(text):
     with pytest.raises(WireError):
         read(frame(text.encode("utf-8", "surrogatepass")))
+
+
+PARTS = 2**20 // wire.BYTES_A_PART
+
+
+@pytest.mark.parametrize(
+    "part", ["[]", "{}", '{"a":1}', "[[]]", "1", '""', '{"~":"complex","re":0,"im":0}']
+)
+def test_json_that_would_take_many_times_its_length_is_refused(part):
+    text = b'{"body": [' + b",".join([part.encode()] * (PARTS + 1)) + b'], "arrays": []}'
+    with pytest.raises(WireError, match="too many parts"):
+        read(frame(text), max_json=2**20 if len(text) < 2**20 else len(text))
+
+
+def test_a_long_list_of_numbers_and_a_long_text_get_through():
+    value = {"numbers": [0.123456789] * 50_000, "text": "a, b " * 10_000}
+    assert read(encode(value), max_json=2**20) == value
+
+
+def test_an_array_that_stands_in_two_places_is_refused():
+    """Sixty places of one array of eight megabytes would be half a gigabyte to whoever compares."""
+    array = '{"~": "array", "at": 0}'
+    text = f'{{"body": [{array}, {array}], "arrays": [["<f8", [1]]]}}'.encode()
+    with pytest.raises(WireError, match="two places"):
+        read(frame(text, bytes(8)))
+    with pytest.raises(WireError, match="stands nowhere"):
+        read(frame(b'{"body": 1, "arrays": [["<f8", [1]]]}', bytes(8)))
+
+
+def test_an_array_that_is_sent_in_two_places_is_written_twice():
+    array = np.arange(3)
+    first, second = read(encode([array, array]))
+    assert first is not second
+    np.testing.assert_array_equal(first, second)
+
+
+def test_more_arrays_than_anybody_returns_are_neither_sent_nor_read():
+    with pytest.raises(WireError, match="too many arrays"):
+        encode([np.zeros(0)] * (wire.MAX_ARRAY_COUNT + 1))
+    table = ",".join(['["<f8",[0]]'] * (wire.MAX_ARRAY_COUNT + 1))
+    with pytest.raises(WireError, match="too many arrays"):
+        read(frame(f'{{"body":1,"arrays":[{table}]}}'.encode()))
+
+
+@pytest.mark.parametrize(
+    "value",
+    [
+        ["x" * 2**22] + [0] * 1000,
+        [["x" * 2**22, *[""] * 200], [0.0] * 201],
+        {"a": [np.zeros(10_000), ["x" * 10_000] * 2]},
+    ],
+    ids=["one long text", "in tables", "beside arrays"],
+)
+def test_a_list_that_numpy_would_make_gigabytes_of_does_not_get_to_it(value):
+    """NumPy gives every entry as much room as the longest text needs."""
+    outcomes = [{"value": value}, {"value": ["a", "bc", 1.0]}]
+    assert clean_evaluation({"state": "given", "outcomes": outcomes})["outcomes"] == [
+        {"unusable": "not plain"},
+        {"value": ["a", "bc", 1.0]},
+    ]
 
 
 def repr_of(value: object) -> str:
