@@ -128,10 +128,7 @@ def grade_all(
 
 
 class _Slots:
-    """The sandboxes of a run: one at first, and another whenever it saves more than it costs.
-
-    Add one on the thread on which the run began: a sandbox ends with the thread that started it.
-    """
+    """The sandboxes of a run: one at first, and another whenever it saves more than it costs."""
 
     def __init__(self, marker: Marker, most: int, isolation: Isolation, until: ExitStack) -> None:
         self._marker, self._most, self._isolation, self._until = marker, most, isolation, until
