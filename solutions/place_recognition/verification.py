@@ -50,7 +50,8 @@ def verify_candidates(
     """Return the candidates with at least `fewest` inliers, the most certain first.
 
     `candidates` are names, for instance of `ImageDatabase.query`, and `features` are those of
-    the images they name. Photographs of different places reach about 15 inliers by chance.
+    the images they name. Several matches between the same two spots count as one. On the campus
+    photographs, chance reaches 18 inliers and most pairs of one place have 20 or more.
     """
     verified = []
     for name in candidates:

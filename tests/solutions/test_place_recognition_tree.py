@@ -53,6 +53,21 @@ def test_more_iterations_never_make_the_clusters_worse(seed):
     assert all(later <= earlier * (1 + 1e-6) for earlier, later in itertools.pairwise(errors))
 
 
+@pytest.mark.parametrize(
+    ("points", "k", "seed", "different"),
+    [
+        ([(0,)] * 4 + [(1,)] * 4 + [(2,)] * 5 + [(3,)] * 2 + [(4,)] * 2, 5, 15, 5),
+        ([(0, 0), (1, 0), (0, 2), (0, 3), (1, 0), (1, 1), (0, 0), (0, 1), (0, 1)], 6, 220, 6),
+        ([(7, 7)] * 9, 4, 0, 1),
+    ],
+)
+def test_clusters_start_anew_at_different_points(points, k, seed, different):
+    # The largest errors are at copies of one point; only one of them should get a new centre.
+    centers = k_means(np.array(points, np.float32), k, np.random.default_rng(seed))
+    assert sorted(map(tuple, centers)) == sorted(set(points))
+    assert len(centers) == different
+
+
 @settings(max_examples=60, deadline=None)
 @given(
     st.lists(st.tuples(st.integers(0, 3), st.integers(0, 3)), min_size=1, max_size=30),

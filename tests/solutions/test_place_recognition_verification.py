@@ -256,3 +256,38 @@ def test_photographs_of_different_places_are_not_verified(campus):
     rng = np.random.default_rng(1)
     others = ["0491", "0495", "0497", "0514"]
     assert verify_candidates(campus["0502"], others, campus, rng) == []
+
+
+@pytest.fixture(scope="module")
+def whole_campus() -> dict[str, Features]:
+    photographs = {**data.campus_photographs(), **data.campus_queries()}
+    return {name: extract_features(image) for name, image in photographs.items()}
+
+
+def most_inliers(pair: str, features: dict[str, Features]) -> int:
+    """The number of matches that agree, in the best of three tries."""
+    one, other = pair.split("-")
+    tries = [
+        verify_candidates(features[one], [other], features, np.random.default_rng(seed), fewest=8)
+        for seed in range(3)
+    ]
+    return max(found[0].inliers if found else 0 for found in tries)
+
+
+def test_geometry_verifies_the_pairs_of_the_same_place_as_the_datasheet_says(whole_campus):
+    pairs = {"-".join(sorted(pair)) for pair in data.same_place_pairs()}
+    inliers = {pair: most_inliers(pair, whole_campus) for pair in pairs}
+    assert {pair for pair in pairs if inliers[pair] < 20} <= {"0497-0498"}
+    assert 15 <= inliers["0497-0498"] <= 22
+    assert inliers["0502-0503"] == pytest.approx(653, abs=20)
+
+
+# Of all pairs that are not listed, chance is kindest to these seven.
+@pytest.mark.parametrize("one", ["0496", "0500", "0502", "0503", "0504"])
+def test_chance_does_not_reach_what_verifies_a_place(whole_campus, one):
+    assert most_inliers(f"{one}-0505", whole_campus) < 20
+
+
+@pytest.mark.parametrize("pair", ["0498-0499", "0499-0503"])
+def test_chance_does_not_reach_it_in_these_either(whole_campus, pair):
+    assert most_inliers(pair, whole_campus) < 20
