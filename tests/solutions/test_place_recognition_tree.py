@@ -190,6 +190,52 @@ def test_a_file_that_holds_something_else_is_named(tmp_path):
         VocabularyTree.load(tmp_path / "other.tree")
 
 
+@pytest.mark.parametrize(
+    "change",
+    [
+        {"anything": np.zeros(3)},
+        {"level_1": None},
+        {"level_1": None, "level_9": np.zeros((9, 4), np.float32)},
+        {"level_0": np.zeros(3, np.float32)},
+        {"level_0": np.zeros((1, 4), np.float32)},
+        {"level_1": np.zeros((9, 5), np.float32)},
+        {"level_1": np.full((9, 4), np.nan, np.float32)},
+        {"level_2": np.zeros((26, 4), np.float32)},
+        {"level_2": np.zeros((27, 4), complex)},
+    ],
+)
+def test_a_file_whose_levels_make_no_tree_is_named(tmp_path, change):
+    rng = np.random.default_rng(0)
+    VocabularyTree(3, 3).fit(rng.normal(size=(100, 4)), rng).save(tmp_path / "words.tree")
+    arrays = {**np.load(tmp_path / "words.tree"), **change}
+    write_arrays(tmp_path / "words.tree", **{n: a for n, a in arrays.items() if a is not None})
+    with pytest.raises(ValueError, match=r"words\.tree is damaged, its levels make no tree"):
+        VocabularyTree.load(tmp_path / "words.tree")
+
+
+def test_a_tree_without_words_cannot_be_saved(tmp_path):
+    with pytest.raises(ValueError, match="call fit"):
+        VocabularyTree(2, 2).save(tmp_path / "words.tree")
+    assert not (tmp_path / "words.tree").exists()
+
+
+def test_descriptors_may_be_lists():
+    points = blobs(np.random.default_rng(0))[:40]
+    tree = VocabularyTree(3, 2).fit(points.tolist(), np.random.default_rng(0))
+    assert tree.words(points.tolist()).tolist() == tree.words(points).tolist()
+    assert tree.words([]).tolist() == []
+
+
+def test_a_tree_stays_as_it_was_if_it_cannot_learn_anew():
+    rng = np.random.default_rng(0)
+    points = blobs(rng)
+    tree = VocabularyTree(3, 2).fit(points, rng)
+    words = tree.words(points)
+    with pytest.raises(ValueError, match="no descriptors to learn"):
+        tree.fit(np.zeros((0, 16), np.uint8), rng)
+    assert np.array_equal(tree.words(points), words)
+
+
 def test_what_cannot_be_clustered_is_said_in_one_sentence():
     rng = np.random.default_rng(9)
     tree = VocabularyTree(2, 2)
