@@ -11,7 +11,7 @@ from dataclasses import dataclass, fields
 import numpy as np
 
 from solutions.line_fitting import Line
-from solutions.scan import Segment, Settings, breaks, is_bend, is_curved, is_echo
+from solutions.scan import Segment, Settings, breaks, check_angles, is_bend, is_curved, is_echo
 from solutions.scan_runs import RunSums, merge_runs, split_runs
 
 AT_ONCE = 128  # scans: their arrays fit in the processor's cache
@@ -45,13 +45,18 @@ class ScanSegments:
 def split_and_merge_all(
     ranges: np.ndarray, angles: np.ndarray, settings: Settings | None = None
 ) -> ScanSegments:
-    """Return the walls in all scans; `ranges` is (M, B) in metres, `angles` (B,) in radians."""
+    """Return the walls in all scans; `ranges` is (M, B) in metres, `angles` (B,) in radians.
+
+    The angles have to ascend. Beams without an echo (not finite, not positive, at the maximum
+    range) are left out. Raises ValueError for arrays of other shapes, or other angles.
+    """
     settings = settings or Settings()
     ranges, angles = np.asarray(ranges, dtype=float), np.asarray(angles, dtype=float)
     if ranges.ndim != 2 or ranges.shape[1:] != angles.shape:
         raise ValueError(
             f"Needs (M, B) ranges and (B,) angles, not {ranges.shape} and {angles.shape}."
         )
+    check_angles(angles)
     parts = [
         _extract(ranges[scan : scan + AT_ONCE], angles, scan, settings)
         for scan in range(0, max(1, len(ranges)), AT_ONCE)
@@ -84,7 +89,7 @@ def _extract(
     first, last, run = split_runs(points, first, last, settings.split_distance)
     first, last, run = merge_runs(sums, first, last, run, settings.roughness)
 
-    enough = last - first + 1 >= settings.min_points // 2
+    enough = last - first + 1 >= settings.min_neighbour_points
     first, last, run = first[enough], last[enough], run[enough]
 
     lines = _fit(sums, points, first, last, settings)

@@ -79,6 +79,17 @@ def test_a_score_by_hand():
     np.testing.assert_allclose(scores, [2 * share, 2 * share, 2.0], atol=1e-6)
 
 
+def test_scores_stay_between_0_and_2_in_single_precision():
+    rng = np.random.default_rng(0)
+    words_by_image = [rng.integers(0, 500, rng.integers(50, 900)) for _ in range(200)]
+    index = InvertedIndex(500)
+    index.extend(words_by_image)
+    scores = np.array([index.scores(words) for words in words_by_image])
+    assert scores.min() >= 0.0
+    assert scores.max() <= 2.0
+    np.testing.assert_allclose(scores.diagonal(), 0.0, atol=1e-5)
+
+
 def test_parts_are_few_and_images_keep_their_numbers(monkeypatch):
     monkeypatch.setattr(index_module, "MOST_IMAGES", 16)
     rng = np.random.default_rng(0)

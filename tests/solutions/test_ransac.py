@@ -131,6 +131,21 @@ def test_offsets_and_tiny_thresholds_lose_no_inlier(offset):
     assert found.inliers.tolist() == list(range(100))
 
 
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("first", [1e6, 1e30, 1e200])
+def test_a_mark_for_no_echo_may_be_the_first_point(first):
+    rng = np.random.default_rng(10)
+    x = rng.uniform(-5, 5, 100)
+    points = np.vstack([np.full((3, 2), first), np.column_stack([x, 0.5 * x + 1])])
+    found = ransac_line(points, THRESHOLD, 100, rng)
+    assert found.inliers.tolist() == list(range(3, 103))
+
+
+def test_a_consensus_set_as_wide_as_long_gives_no_line():
+    corners = np.array([[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]])
+    assert ransac_line(corners, 2.0, 10, np.random.default_rng(0)) is None
+
+
 def test_more_points_than_a_small_integer_can_count():
     rng = np.random.default_rng(9)
     points = np.column_stack([rng.uniform(-5, 5, 70000), np.zeros(70000)])
@@ -188,6 +203,8 @@ def test_points_on_one_line_give_no_plane():
         ({"threshold": 0.0}, "threshold > 0"),
         ({"threshold": math.nan}, "threshold > 0"),
         ({"iterations": 0}, "iterations >= 1"),
+        ({"iterations": math.inf}, "whole number of iterations"),
+        ({"iterations": 7.5}, "whole number of iterations"),
         ({"confidence": 1.0}, "between 0 and 1"),
     ],
 )
