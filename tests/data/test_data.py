@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib.util
 import shutil
 import subprocess
 import sys
@@ -233,3 +234,11 @@ def test_the_build_verifies_without_building(monkeypatch, capsys):
     monkeypatch.setattr(build, "build", lambda target: pytest.fail(f"wrote to {target}"))
     assert build.main(["--verify"]) == 0
     assert "28 of 28 files are as they were" in capsys.readouterr().out
+
+
+@pytest.mark.skipif(
+    importlib.util.find_spec("mvtbdata") is None or importlib.util.find_spec("rtbdata") is None,
+    reason="the sources of the data are not installed (`uv run --group data`)",
+)
+def test_all_data_are_made_again_byte_for_byte(capsys):
+    assert build.main(["--check"]) == 0, capsys.readouterr().out

@@ -252,6 +252,21 @@ def test_a_photograph_of_the_campus_is_recognised_and_verified(campus):
     assert verified[0].inliers > 200
 
 
+def test_a_photograph_is_recognised_and_verified_by_binary_features_too():
+    rng = np.random.default_rng(0)
+    names = ("0491", "0495", "0497", "0503", "0506", "0509", "0514")
+    walk = {name: extract_features(data.campus_photographs()[name], "orb") for name in names}
+    query = extract_features(data.campus_queries()["0502"], "orb")
+    collection = np.concatenate([features.descriptors for features in walk.values()])
+    database = ImageDatabase(VocabularyTree(10, 4).fit(collection, rng))
+    for name, features in walk.items():
+        database.add(name, features.descriptors)
+    candidates = [candidate.name for candidate in database.query(query.descriptors, top=3)]
+    assert candidates[0] == "0503"
+    verified = verify_candidates(query, candidates, walk, rng)
+    assert [candidate.name for candidate in verified] == ["0503"]
+
+
 def test_photographs_of_different_places_are_not_verified(campus):
     rng = np.random.default_rng(1)
     others = ["0491", "0495", "0497", "0514"]
