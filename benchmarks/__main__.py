@@ -6,7 +6,6 @@ All of them write results.md and results.png beside this file; named ones only p
 import argparse
 import importlib
 import importlib.metadata
-import importlib.util
 import os
 import platform
 import sys
@@ -23,6 +22,7 @@ from benchmarks.report import Section, markdown_section, write_report  # noqa: E
 MODULES = ("ransac", "line_extraction", "place_recognition")
 PACKAGES = (
     "numpy",
+    "scipy",
     "opencv-python-headless",
     "scikit-image",
     "scikit-learn",
@@ -45,9 +45,6 @@ def main() -> int:
     cv2.setNumThreads(1)
     sections = []
     for module in arguments.module or MODULES:
-        if importlib.util.find_spec(f"benchmarks.{module}") is None:
-            print(f"benchmarks/{module}.py does not exist yet; left out.", file=sys.stderr)
-            continue
         print(f"running {module} ...", file=sys.stderr)
         section: Section = importlib.import_module(f"benchmarks.{module}").run()
         sections.append(section)
@@ -68,10 +65,10 @@ def introduction() -> str:
         except importlib.metadata.PackageNotFoundError:
             versions.append(f"{package} not installed")
     return f"""
-One run of `uv run --group bench python -m benchmarks`: one process, one thread, all contenders
-on the same data, taking turns; the median of the processor times counts. A ratio of 10 × means
-that a contender takes ten times as long as this project. Ratios carry over to other machines
-roughly, times do not.
+One run of `uv run --group bench python -m benchmarks`: one process, one thread, contenders
+on the same data (but where it says otherwise), taking turns; the median of the processor times
+counts. A ratio of 10 × means that a contender takes ten times as long as this project. Ratios carry
+over to other machines roughly, times do not.
 
 {processor()}, Python {platform.python_version()}, {", ".join(versions)}.
 

@@ -53,7 +53,8 @@ def _draw_ratios(axis: Axes, rows: list[Row]) -> None:
     axis.set_yticks(range(len(rows)), names, fontsize=8)
     axis.set_xscale("log")
     axis.margins(y=0.01)
-    axis.set_xlim(min(1.0, *ratios) / 1.5, max(ratios) * 6)  # room for the longest bar's number
+    # Room for the longest bar's number.
+    axis.set_xlim(min([1.0, *ratios]) / 1.5, max([1.0, *ratios]) * 6)
     axis.invert_yaxis()
     axis.set_xlabel("time, as a multiple of this project's")
 

@@ -13,6 +13,7 @@ write other bytes with the same meaning; ``--check`` names them.
 
 from __future__ import annotations
 
+import argparse
 import hashlib
 import importlib.util
 import sys
@@ -60,11 +61,20 @@ def stored_checksums() -> dict[str, str]:
     return {name: digest for digest, _, name in (line.partition("  ") for line in lines)}
 
 
-def main() -> int:
-    """Build, check or verify, as the command line says."""
-    if "--verify" in sys.argv:
+def main(arguments: list[str] | None = None) -> int:
+    """Build, check or verify, as the command line says; return the exit status."""
+    parser = argparse.ArgumentParser(
+        prog="python -m data.build",
+        description="Make the data again from their sources, and overwrite what is there.",
+        allow_abbrev=False,
+    )
+    instead = parser.add_mutually_exclusive_group()
+    instead.add_argument("--check", action="store_true", help="make them elsewhere and compare")
+    instead.add_argument("--verify", action="store_true", help="only compare with the checksums")
+    chosen = parser.parse_args(arguments)
+    if chosen.verify:
         return _report(checksums(HERE))
-    if "--check" in sys.argv:
+    if chosen.check:
         with tempfile.TemporaryDirectory() as folder:
             build(Path(folder))
             return _report(checksums(Path(folder)))

@@ -15,7 +15,16 @@ from itertools import pairwise
 import numpy as np
 
 from solutions.line_fitting import Line, distances, fit_line, positions_along
-from solutions.scan import Segment, Settings, breaks, is_bend, is_wall, make_segment, scan_points
+from solutions.scan import (
+    Segment,
+    Settings,
+    breaks,
+    check_angles,
+    is_bend,
+    is_wall,
+    make_segment,
+    scan_points,
+)
 from solutions.scan_lines import ScanSegments, split_and_merge_all
 from solutions.sequential_ransac import sequential_ransac
 
@@ -36,10 +45,12 @@ def split_and_merge(
     """Return the walls in one scan, in the order of the beams.
 
     `ranges` in metres and `angles` in radians (ascending) belong to the same N beams. Beams
-    without an echo (not finite, not positive, at the maximum range) are left out.
+    without an echo (not finite, not positive, at the maximum range) are left out. Raises
+    ValueError for arrays of other shapes, or angles that do not ascend.
     """
     settings = settings or Settings()
     points, beams = scan_points(ranges, angles, settings)
+    check_angles(angles)
     gaps = breaks(points, np.asarray(ranges)[beams], np.asarray(angles)[beams], settings)
     segments = []
     for run in np.split(np.arange(len(points)), np.flatnonzero(gaps) + 1):
@@ -99,7 +110,7 @@ def _walls(
     """Return the pieces of one run that are walls, with their lines."""
     lines = []
     for piece in pieces:
-        if len(piece) >= settings.min_points // 2:
+        if len(piece) >= settings.min_neighbour_points:
             line = fit_line(points[piece])
             start, end = positions_along(points[piece[[0, -1]]], line)
             if abs(end - start) >= settings.min_length / 2:

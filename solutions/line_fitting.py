@@ -28,12 +28,18 @@ def fit_line(points: np.ndarray, weights: np.ndarray | None = None) -> Line:
     -pi < alpha <= pi. It is as exact for points 1000 km from the origin as near it.
 
     Raises ValueError if the points do not determine a line: fewer than two different
-    points, or a cloud that is equally wide in all directions.
+    points, or a cloud that is equally wide in all directions. The same for points that are
+    not finite, and for weights that are negative or all zero.
     """
     points = np.asarray(points, dtype=float)
     if points.ndim != 2 or points.shape[1] != 2 or len(points) < 2:
         raise ValueError(f"A line needs an (N, 2) array of two points or more, not {points.shape}.")
-    weights = np.ones(len(points)) if weights is None else np.asarray(weights, dtype=float)
+    if not np.isfinite(points).all():
+        raise ValueError("No line: some coordinates are not finite; remove those points.")
+    N = len(points)
+    weights = np.ones(N) if weights is None else np.asarray(weights, dtype=float)
+    if weights.shape != (N,) or weights.min() < 0 or not 0 < weights.sum() < math.inf:
+        raise ValueError(f"The weights must be {N} finite numbers >= 0, not all of them 0.")
 
     # Sums of centred coordinates: squares of large coordinates would lose their last digits.
     W = weights.sum()

@@ -18,6 +18,8 @@ def ransac_plane(
     `threshold` metres away, on either side. The plane of the largest consensus set is fitted
     again, with `fit_plane`, to all points of that set; the indices returned are those of the
     points within the threshold of this last plane.
+
+    Raises ValueError if no sample gave a plane, as when all points are on one line.
     """
     best = np.array([], dtype=int)
     for _ in range(iterations):
@@ -29,5 +31,7 @@ def ransac_plane(
         agreeing = np.flatnonzero(np.abs((points - a) @ normal) <= threshold * length)
         if len(agreeing) > len(best):
             best = agreeing
+    if len(best) == 0:
+        raise ValueError("No plane: the points of each sample were on one line.")
     plane = fit_plane(points[best])
     return plane, np.flatnonzero(np.abs(plane_distances(points, plane)) <= threshold)

@@ -18,13 +18,19 @@ def ransac_line(
     is at most `threshold` metres away, on either side. The line of the largest consensus set
     is fitted again, with least squares, to all points of that set; the indices returned are
     those of the points within the threshold of this last line.
+
+    Raises ValueError if no sample gave a line, as when all points are equal.
     """
     best = np.array([], dtype=int)
     for _ in range(iterations):
         pair = rng.choice(len(points), size=2, replace=False)
+        if np.array_equal(*points[pair]):  # equal points are on many lines
+            continue
         hypothesis = fit_line(points[pair])
         agreeing = np.flatnonzero(np.abs(distances(points, hypothesis)) <= threshold)
         if len(agreeing) > len(best):
             best = agreeing
+    if len(best) == 0:
+        raise ValueError("No line: no sample had two different points.")
     line = fit_line(points[best])
     return line, np.flatnonzero(np.abs(distances(points, line)) <= threshold)

@@ -28,7 +28,9 @@ def required_iterations(p: float, w: float, s: int) -> int | float:
     if all_inliers == 0:
         return math.inf
     iterations = math.log1p(-p) / math.log1p(-all_inliers)
-    return math.ceil(iterations - 1e-9)  # 3.0000000000000004 means 3
+    if iterations == math.inf:  # beyond all floats
+        return math.inf
+    return max(1, math.ceil(iterations - 1e-9))  # 3.0000000000000004 means 3
 
 
 def candidate_count(N: int, s: int) -> int:
@@ -37,16 +39,26 @@ def candidate_count(N: int, s: int) -> int:
 
 
 def outlier_model_probability(w: float, s: int, k: float = 1) -> float:
-    """Return the probability that none of k samples was free of outliers."""
-    all_inliers = w**s
-    if all_inliers == 1:
-        return 1.0 if k == 0 else 0.0
-    return math.exp(k * math.log1p(-all_inliers))
+    """Return the probability that none of k samples was free of outliers.
+
+    `k` may be math.inf. Raises ValueError if w, s or k is out of range.
+    """
+    return math.exp(_log_failure(w, s, k))
 
 
 def success_probability(w: float, s: int, k: float) -> float:
-    """Return the probability that at least one of k samples was free of outliers."""
+    """Return the probability that at least one of k samples was free of outliers.
+
+    `k` may be math.inf. Raises ValueError if w, s or k is out of range.
+    """
+    return 0.0 - math.expm1(_log_failure(w, s, k))
+
+
+def _log_failure(w: float, s: int, k: float) -> float:
+    """Return the logarithm of (1 - w**s)**k, from -inf to 0."""
+    if not (0 <= w <= 1 and s >= 1 and k >= 0):
+        raise ValueError(f"Needs 0 <= w <= 1, s >= 1 and k >= 0, not w={w}, s={s}, k={k}.")
     all_inliers = w**s
-    if all_inliers == 1:
-        return 0.0 if k == 0 else 1.0
-    return -math.expm1(k * math.log1p(-all_inliers))
+    if k == 0 or all_inliers == 0:  # neither has any chance, even if the other is infinite
+        return 0.0
+    return -math.inf if all_inliers == 1 else k * math.log1p(-all_inliers)

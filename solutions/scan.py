@@ -1,7 +1,7 @@
 """A laser scan as points, and what line extraction starts from: unbroken runs of them."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import NamedTuple
 
 import numpy as np
@@ -30,6 +30,18 @@ class Settings:
     corner_angle: float = math.radians(30.0)
     max_range: float = 49.0  # m, at or beyond: no echo
     grazing_angle: float = math.radians(10.0)  # a wall seen at a smaller angle is broken up
+
+    def __post_init__(self) -> None:
+        if self.min_points < 2:
+            raise ValueError(f"A wall needs two points: min_points={self.min_points} is too few.")
+        for field in fields(self):
+            if not getattr(self, field.name) >= 0:
+                raise ValueError(f"The setting {field.name} must be a number, and not negative.")
+
+    @property
+    def min_neighbour_points(self) -> int:
+        """How many points a piece needs to show that its neighbour is part of a round thing."""
+        return max(2, self.min_points // 2)
 
 
 class Segment(NamedTuple):
@@ -60,6 +72,12 @@ def scan_points(
     beams = np.flatnonzero(is_echo(ranges, settings))
     ranges, angles = ranges[beams], angles[beams]
     return np.column_stack([ranges * np.cos(angles), ranges * np.sin(angles)]), beams
+
+
+def check_angles(angles: np.ndarray) -> None:
+    """Raise ValueError unless the beams turn to the left, as gaps and corners are looked for."""
+    if not (np.diff(angles) > 0).all():
+        raise ValueError("The angles must grow from beam to beam: turn ranges and angles round.")
 
 
 def breaks(

@@ -11,7 +11,7 @@ from dataclasses import dataclass, fields
 import numpy as np
 
 from solutions.line_fitting import Line
-from solutions.scan import Segment, Settings, breaks, is_bend, is_curved, is_echo
+from solutions.scan import Segment, Settings, breaks, check_angles, is_bend, is_curved, is_echo
 from solutions.scan_runs import RunSums, merge_runs, split_runs
 
 AT_ONCE = 128  # scans: their arrays fit in the processor's cache
@@ -45,13 +45,18 @@ class ScanSegments:
 def split_and_merge_all(
     ranges: np.ndarray, angles: np.ndarray, settings: Settings | None = None
 ) -> ScanSegments:
-    """Return the walls in all scans; `ranges` is (M, B) in metres, `angles` (B,) in radians."""
+    """Return the walls in all scans; `ranges` is (M, B) in metres, `angles` (B,) in radians.
+
+    The angles have to ascend. Beams without an echo (not finite, not positive, at the maximum
+    range) are left out. Raises ValueError for arrays of other shapes, or other angles.
+    """
     settings = settings or Settings()
     ranges, angles = np.asarray(ranges, dtype=float), np.asarray(angles, dtype=float)
     if ranges.ndim != 2 or ranges.shape[1:] != angles.shape:
         raise ValueError(
             f"Needs (M, B) ranges and (B,) angles, not {ranges.shape} and {angles.shape}."
         )
+    check_angles(angles)
     parts = [
         _extract(ranges[scan : scan + AT_ONCE], angles, scan, settings)
         for scan in range(0, max(1, len(ranges)), AT_ONCE)
@@ -84,7 +89,7 @@ def _extract(
     first, last, run = split_runs(points, first, last, settings.split_distance)
     first, last, run = merge_runs(sums, first, last, run, settings.roughness)
 
-    enough = last - first + 1 >= settings.min_points // 2
+    enough = last - first + 1 >= settings.min_neighbour_points
     first, last, run = first[enough], last[enough], run[enough]
 
     lines = _fit(sums, points, first, last, settings)
@@ -107,41 +112,65 @@ def _fit(
     sums: RunSums, points: np.ndarray, first: np.ndarray, last: np.ndarray, settings: Settings
 ) -> dict[str, np.ndarray]:
     """Fit a line to every run; `fit_line`, `line_covariance` and `is_wall` in columns."""
-    N, x_c, y_c, S_xx, S_xy, S_yy = sums.moments(first, last)
-    R = np.hypot(S_yy - S_xx, 2 * S_xy)
-    alpha = 0.5 * np.arctan2(-2 * S_xy, S_yy - S_xx)
-    r = x_c * np.cos(alpha) + y_c * np.sin(alpha)
-    alpha = np.where(r < 0, alpha + np.pi, alpha)
-    alpha = np.where(alpha > np.pi, alpha - 2 * np.pi, alpha)
-    r = np.abs(r)
-
+    moments = sums.moments(first, last)
+    r, alpha = _lines(moments)
     normal = np.column_stack([np.cos(alpha), np.sin(alpha)])
     along = np.column_stack([-np.sin(alpha), np.cos(alpha)])
     foot = r[:, None] * normal
     start = np.sum(points[first] * along, axis=1)[:, None]
     end = np.sum(points[last] * along, axis=1)[:, None]
-
-    # The sums over the derivatives in line_covariance, written out for equal weights.
-    lever = y_c * np.cos(alpha) - x_c * np.sin(alpha)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        variance = settings.sigma**2 * (S_xx + S_yy) / R**2
-    covariance = np.empty((len(r), 2, 2))
-    covariance[:, 0, 0] = settings.sigma**2 / N + lever**2 * variance
-    covariance[:, 0, 1] = covariance[:, 1, 0] = lever * variance
-    covariance[:, 1, 1] = variance
-
     length = np.abs(end - start)[:, 0]
-    _, x_middle, y_middle, *_ = sums.moments(first + N // 4, last - N // 4)
-    middle = x_middle * np.cos(alpha) + y_middle * np.sin(alpha) - r
     return {
         "r": r,
         "alpha": alpha,
-        "covariance": covariance,
+        "covariance": _covariances(moments, alpha, settings.sigma),
         "start": foot + start * along,
         "end": foot + end * along,
         "length": length,
-        "is_wall": (R > 0)
+        "is_wall": _are_walls(sums, first, last, r, alpha, length, settings),
+    }
+
+
+def _lines(moments: tuple[np.ndarray, ...]) -> tuple[np.ndarray, np.ndarray]:
+    """Return r and alpha of the best line of each run, as `fit_line` does."""
+    _, x_c, y_c, S_xx, S_xy, S_yy = moments
+    alpha = 0.5 * np.arctan2(-2 * S_xy, S_yy - S_xx)
+    r = x_c * np.cos(alpha) + y_c * np.sin(alpha)
+    alpha = np.where(r < 0, alpha + np.pi, alpha)
+    alpha = np.where(alpha > np.pi, alpha - 2 * np.pi, alpha)
+    return np.abs(r), alpha
+
+
+def _covariances(moments: tuple[np.ndarray, ...], alpha: np.ndarray, sigma: float) -> np.ndarray:
+    """Return (runs, 2, 2): the sums in `line_covariance`, written out for equal weights."""
+    N, x_c, y_c, S_xx, S_xy, S_yy = moments
+    lever = y_c * np.cos(alpha) - x_c * np.sin(alpha)
+    R = np.hypot(S_yy - S_xx, 2 * S_xy)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        variance = sigma**2 * (S_xx + S_yy) / R**2
+    covariance = np.empty((len(alpha), 2, 2))
+    covariance[:, 0, 0] = sigma**2 / N + lever**2 * variance
+    covariance[:, 0, 1] = covariance[:, 1, 0] = lever * variance
+    covariance[:, 1, 1] = variance
+    return covariance
+
+
+def _are_walls(
+    sums: RunSums,
+    first: np.ndarray,
+    last: np.ndarray,
+    r: np.ndarray,
+    alpha: np.ndarray,
+    length: np.ndarray,
+    settings: Settings,
+) -> np.ndarray:
+    """Tell which runs are long and straight enough; how many points they have is not asked."""
+    N, _, _, S_xx, S_xy, S_yy = sums.moments(first, last)
+    _, x_middle, y_middle, *_ = sums.moments(first + N // 4, last - N // 4)
+    middle = x_middle * np.cos(alpha) + y_middle * np.sin(alpha) - r
+    return (
+        ((S_yy != S_xx) | (S_xy != 0))  # else every direction fits as well
         & (length >= settings.min_length)
         & (sums.roughness(first, last) <= settings.roughness)
-        & ~is_curved(N, length, middle, settings),
-    }
+        & ~is_curved(N, length, middle, settings)
+    )

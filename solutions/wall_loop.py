@@ -25,7 +25,8 @@ def find_walls(
     """
     walls = []
     left = np.arange(len(points))  # the points that belong to no wall yet
-    while len(left) >= min_points:
+    # Points that are all in one spot make no wall either.
+    while len(left) >= max(min_points, 2) and np.ptp(points[left], axis=0).any():
         line, inliers = ransac_line(points[left], threshold, iterations, rng)
         if len(inliers) < min_points:
             break

@@ -71,7 +71,8 @@ class ImageDatabase:
     def save(self, path: str | Path) -> None:
         """Write names and inverted file to an npz file, without pickle; the tree is saved apart."""
         names = np.frombuffer(json.dumps(self.names).encode(), dtype=np.uint8)
-        write_arrays(path, names=names, **self._index.arrays())
+        tree = np.array(self.tree.fingerprint())
+        write_arrays(path, names=names, tree=tree, **self._index.arrays())
 
     @classmethod
     def load(cls, path: str | Path, tree: VocabularyTree) -> Self:
@@ -79,7 +80,7 @@ class ImageDatabase:
 
         Raises ValueError if the file holds something else, or belongs to another tree.
         """
-        stored = read_arrays(path, "an image database", "names", "word_count")
+        stored = read_arrays(path, "an image database", "names", "tree", "word_count")
         database = cls(tree)
         try:
             database._index = InvertedIndex.from_arrays(stored)
@@ -92,6 +93,11 @@ class ImageDatabase:
             raise ValueError(
                 f"{path} was made with {database._index.word_count} words, the tree has "
                 f"{tree.word_count}: load the tree that was saved with it."
+            )
+        if stored["tree"].tolist() != tree.fingerprint():
+            raise ValueError(
+                f"{path} was made with another tree of as many words: load the tree that was "
+                "saved with it."
             )
         database._known = set(database.names)
         return database

@@ -70,7 +70,8 @@ class InvertedIndex:
             d = counts * np.repeat(weights[different].astype(np.float32), lengths)
             d /= sizes.take(images)
             shared = np.minimum(d, np.repeat(q.astype(np.float32), lengths))
-            scores.append(2.0 - 2.0 * np.bincount(images, shared, part.image_count))
+            likeness = np.bincount(images, shared, part.image_count)
+            scores.append(2.0 - 2.0 * np.minimum(likeness, 1.0))  # single precision may exceed 1
         return np.concatenate(scores)
 
     def weights(self) -> np.ndarray:
@@ -78,7 +79,8 @@ class InvertedIndex:
 
         `scoring.idf_weights` gives such words 0, and a query would seem to consist of the others
         only. Here they keep their part in what the query adds up to. On the campus photographs
-        this raises the mean average precision, with a vocabulary of 100,000 words by 0.1.
+        this changes the mean average precision by less than 0.01 up to 10,000 words, where few
+        words are of no image; with 100,000 it rose by 0.05 and 0.12 for two trees.
         """
         return np.log(max(self.image_count, 1) / np.maximum(self._images_with_word, 1))
 

@@ -11,11 +11,12 @@ def k_means(
 ) -> np.ndarray:
     """Divide points into clusters around k centres; return the centres.
 
-    `points` is (N, d) float32 with N at least 1. The centres are (m, d): m is k, or less if
-    there are fewer than k different points; each has at least one point nearest to it. They
-    start at points drawn with `rng`. Giving every point to the nearest centre, and moving
-    every centre to the mean of its points, is repeated until no point changes its cluster,
-    at most `iterations` times.
+    `points` is (N, d) float32 with N at least 1. The centres are (m, d) with m at most k; each
+    has at least one point nearest to it. With k different points or fewer, each of them gets a
+    centre of its own. With more, m is nearly always k: a cluster may lose its last point in the
+    last iteration. The centres start at points drawn with `rng`. Giving every point to the
+    nearest centre, and moving every centre to the mean of its points, is repeated until no
+    point changes its cluster, at most `iterations` times.
     """
     centers = points[rng.choice(len(points), size=min(k, len(points)), replace=False)]
     nearest = np.full(len(points), -1)
@@ -47,6 +48,10 @@ def _moved(points: np.ndarray, nearest: np.ndarray, centers: np.ndarray) -> np.n
     means = one_hot @ points / np.maximum(counts, 1)[:, None]
     empty = np.flatnonzero(counts == 0)
     if len(empty):
-        errors = ((points - centers[nearest]) ** 2).sum(axis=1)
-        means[empty] = points[np.argsort(errors)[-len(empty) :]]
+        # At different points: two centres in one spot would leave one of them empty again.
+        different = np.unique(points, axis=0, return_index=True)[1]
+        own = centers[nearest[different]]
+        errors = ((points[different] - own) ** 2).sum(axis=1)
+        farthest = different[np.argsort(errors)[-len(empty) :]]
+        means[empty] = points[np.resize(farthest, len(empty))]
     return means

@@ -50,17 +50,29 @@ def verify_candidates(
     """Return the candidates with at least `fewest` inliers, the most certain first.
 
     `candidates` are names, for instance of `ImageDatabase.query`, and `features` are those of
-    the images they name. Photographs of different places reach about 15 inliers by chance.
+    the images they name. Several matches between the same two spots count as one. On the campus
+    photographs, chance reaches 18 inliers and most pairs of one place have 20 or more.
     """
     verified = []
     for name in candidates:
         matches = match_features(query, features[name])
         x, y = query.positions[matches[:, 0]], features[name].positions[matches[:, 1]]
-        geometry = ransac_fundamental(x, y, rng)
+        kept = one_of_each_place(x, y)
+        geometry = ransac_fundamental(x[kept], y[kept], rng)
         inliers = 0 if geometry is None else len(geometry.inliers)
         if inliers >= fewest:
             verified.append(Verified(name, inliers))
     return sorted(verified, key=lambda candidate: -candidate.inliers)
+
+
+def one_of_each_place(x: np.ndarray, y: np.ndarray) -> np.ndarray:
+    """Return, ascending, the first match of each pair of places, to the nearest pixel.
+
+    Both arrays are (M, 2), in pixels. SIFT describes a corner once for each direction that its
+    gradients have, up to four times in one spot: their matches are one piece of evidence.
+    """
+    pixels = np.rint(np.hstack([x, y]))
+    return np.sort(np.unique(pixels, axis=0, return_index=True)[1])
 
 
 def _as_points(descriptors: np.ndarray) -> np.ndarray:

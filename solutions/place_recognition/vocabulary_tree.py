@@ -3,6 +3,7 @@
 Source: Nister and Stewenius, Scalable recognition with a vocabulary tree, CVPR 2006.
 """
 
+import hashlib
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Self
@@ -55,12 +56,14 @@ class VocabularyTree:
         """Learn the words from the descriptors of a large collection of images.
 
         Each node's descriptors are divided by k-means; where there are very many, a sample of
-        them decides. Raises ValueError for descriptors that are none.
+        them decides. Raises ValueError for descriptors that are none; the tree then stays as
+        it was.
         """
-        self.binary = getattr(descriptors, "dtype", None) == np.uint8
+        descriptors = np.asarray(descriptors)
         points = _as_points(descriptors)
         if len(points) == 0:
             raise ValueError("There are no descriptors to learn words from.")
+        self.binary = descriptors.dtype == np.uint8
         self._centers, self._offsets = [], []
         node = np.zeros(len(points), dtype=np.intp)
         for level in range(self.depth):
@@ -87,10 +90,10 @@ class VocabularyTree:
         None, which OpenCV gives for an image without features, counts as no descriptors.
         Raises ValueError if the tree was not fitted, or to other descriptors.
         """
-        if not self._centers:
-            raise ValueError("This tree has no words yet: call fit, or load a tree.")
+        self._check_fitted()
         if descriptors is None or len(descriptors) == 0:
             return np.zeros(0, dtype=np.intp)
+        descriptors = np.asarray(descriptors)
         points = _as_points(descriptors)
         dimension = self._centers[0].shape[-1]
         binary = descriptors.dtype == np.uint8
@@ -112,8 +115,20 @@ class VocabularyTree:
             node = self.branching * node + child
         return node
 
+    def fingerprint(self) -> str:
+        """Return the SHA-256 of all centres: trees with the same one give the same words."""
+        digest = hashlib.sha256(b"bits" if self.binary else b"floats")
+        for level in self.levels:
+            digest.update(repr(level.shape).encode())
+            digest.update(level.tobytes())
+        return digest.hexdigest()
+
     def save(self, path: str | Path) -> None:
-        """Write the tree to an npz file, which holds nothing but arrays."""
+        """Write the tree to an npz file, which holds nothing but arrays.
+
+        Raises ValueError if the tree was not fitted.
+        """
+        self._check_fitted()
         levels = {f"level_{i}": level for i, level in enumerate(self.levels)}
         write_arrays(path, binary=np.array(self.binary), **levels)
 
@@ -121,7 +136,10 @@ class VocabularyTree:
     def load(cls, path: str | Path) -> Self:
         """Read a tree that `save` wrote. Raises ValueError if the file holds something else."""
         stored = read_arrays(path, "a vocabulary tree", "binary", "level_0")
-        levels = [stored[f"level_{i}"] for i in range(len(stored) - 1)]
+        names = [f"level_{i}" for i in range(len(stored) - 1)]
+        levels = [stored[name] for name in names if name in stored]
+        if len(levels) < len(names) or not _make_a_tree(levels):
+            raise ValueError(f"{path} is damaged, its levels make no tree: save the tree again.")
         tree = cls(len(levels[0]), len(levels))
         tree.binary = bool(stored["binary"])
         for level in levels:
@@ -131,6 +149,23 @@ class VocabularyTree:
             tree._centers.append(centers)
             tree._offsets.append(np.where(missing, np.float32(np.inf), half_squares(centers)))
         return tree
+
+    def _check_fitted(self) -> None:
+        if not self._centers:
+            raise ValueError("This tree has no words yet: call fit, or load a tree.")
+
+
+def _make_a_tree(levels: list[np.ndarray]) -> bool:
+    """Tell whether each level has all children of the one above it, as points or infinite."""
+    if levels[0].ndim != 2 or len(levels[0]) < 2:
+        return False
+    branching, d = levels[0].shape
+    return all(
+        level.dtype == np.float32
+        and level.shape == (branching ** (i + 1), d)
+        and not np.isnan(level).any()
+        for i, level in enumerate(levels)
+    )
 
 
 def _groups(node: np.ndarray) -> Iterator[tuple[int, np.ndarray]]:

@@ -1,5 +1,9 @@
 """How retrieval is scored, and what the synthetic images look like."""
 
+import subprocess
+import sys
+from pathlib import Path
+
 import numpy as np
 import pytest
 
@@ -35,3 +39,21 @@ def test_synthetic_words_follow_the_law_of_zipf():
     assert words.max() < WORD_COUNT
     for share in (0.01, 0.25):  # of the words, the most frequent ones: the root of the features
         assert np.mean(words < share * WORD_COUNT) == pytest.approx(share**0.5, abs=0.01)
+
+
+@pytest.mark.skipif(not Path("/proc/self/status").exists(), reason="only Linux tells the peak")
+def test_the_peak_of_memory_is_not_that_of_the_process_that_started_this_one():
+    child = "from benchmarks.million_images import peak_memory; print(peak_memory())"
+    parent = f"""
+import subprocess, sys
+large = bytearray(600_000_000)
+subprocess.run([sys.executable, "-c", {child!r}], check=True)
+"""
+    done = subprocess.run(
+        [sys.executable, "-c", parent],
+        cwd=Path(retrieval.__file__).parents[1],
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    assert 1e7 < int(done.stdout) < 4e8

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib.util
 import shutil
 import subprocess
 import sys
@@ -147,6 +148,10 @@ def test_arrays_cannot_be_changed():
         data.killian_court().ranges[0, 0] = 1
     with pytest.raises(ValueError, match="read-only"):
         data.campus_queries()["0492"][0, 0] = 0
+    with pytest.raises(AttributeError):
+        data.campus_queries().pop("0492")
+    with pytest.raises(TypeError):
+        data.campus_photographs()["0491"] = None
     with pytest.raises(ValueError, match="read-only"):
         data.corridor().scans.ranges[0, 0] = 1
 
@@ -196,6 +201,15 @@ def test_missing_checksums_are_named(elsewhere):
         data.campus_photographs.__wrapped__()
 
 
+@pytest.mark.parametrize("kept", [0, 100, 400])
+def test_checksums_that_were_cut_short_are_named_and_not_the_data(elsewhere, kept):
+    path = elsewhere / "checksums.txt"
+    path.write_bytes(path.read_bytes()[:kept])
+    for load in (data.campus_photographs, data.campus_queries, data.corridor):
+        with pytest.raises(data.DataError, match=r"checksums.txt is damaged.*data\.build"):
+            load.__wrapped__()
+
+
 def test_importing_the_loaders_does_not_import_opencv():
     code = "import sys, data; sys.exit('cv2' in sys.modules)"
     assert subprocess.run([sys.executable, "-c", code], cwd=HERE.parent).returncode == 0
@@ -206,3 +220,25 @@ def test_the_corridor_is_made_again_byte_for_byte(tmp_path):
 
     make_corridor(tmp_path)
     assert (tmp_path / "corridor.npz").read_bytes() == (HERE / "corridor.npz").read_bytes()
+
+
+@pytest.mark.parametrize("arguments", [["--help"], ["--chek"], ["check"], ["--check", "--verify"]])
+def test_what_the_build_does_not_know_builds_nothing(monkeypatch, capsys, arguments):
+    monkeypatch.setattr(build, "build", lambda target: pytest.fail(f"wrote to {target}"))
+    with pytest.raises(SystemExit):
+        build.main(arguments)
+    assert "usage: python -m data.build" in "".join(capsys.readouterr())
+
+
+def test_the_build_verifies_without_building(monkeypatch, capsys):
+    monkeypatch.setattr(build, "build", lambda target: pytest.fail(f"wrote to {target}"))
+    assert build.main(["--verify"]) == 0
+    assert "28 of 28 files are as they were" in capsys.readouterr().out
+
+
+@pytest.mark.skipif(
+    importlib.util.find_spec("mvtbdata") is None or importlib.util.find_spec("rtbdata") is None,
+    reason="the sources of the data are not installed (`uv run --group data`)",
+)
+def test_all_data_are_made_again_byte_for_byte(capsys):
+    assert build.main(["--check"]) == 0, capsys.readouterr().out

@@ -187,3 +187,36 @@ def test_wrong_shapes_are_explained():
 
 def test_no_scans_at_all_have_no_segments():
     assert len(split_and_merge_all(np.empty((0, 180)), ANGLES).scan) == 0
+
+
+@pytest.mark.parametrize("extract", [one_by_one, all_at_once])
+def test_beams_that_turn_to_the_right_are_refused(extract, monkeypatch):
+    monkeypatch.setattr(f"{__name__}.ANGLES", ANGLES[::-1])
+    with pytest.raises(ValueError, match="angles must grow from beam to beam"):
+        extract(hall())
+    assert len(by_ransac(hall())) == 3  # which does not use their order
+
+
+@pytest.mark.parametrize("min_points", [2, 3, 4])
+def test_walls_of_very_few_points_may_be_asked_for(min_points):
+    settings = Settings(min_points=min_points)
+    rng = np.random.default_rng(6)
+    for ranges in [hall(), *(clutter(rng) for _ in range(20))]:
+        found = split_and_merge_all(ranges[None], ANGLES, settings).of(0)
+        one_after_the_other = split_and_merge(ranges, ANGLES, settings)
+        np.testing.assert_allclose(lines(found), lines(one_after_the_other), atol=1e-9)
+        for segments in (found, sequential_ransac(ranges, ANGLES, rng, settings)):
+            assert min(len(segment.inliers) for segment in segments) >= min_points
+
+
+@pytest.mark.parametrize(
+    ("setting", "message"),
+    [
+        ({"min_points": 1}, "A wall needs two points: min_points=1 is too few"),
+        ({"roughness": -0.01}, "roughness must be a number, and not negative"),
+        ({"min_length": math.nan}, "min_length must be a number"),
+    ],
+)
+def test_settings_that_make_no_sense_are_named(setting, message):
+    with pytest.raises(ValueError, match=message):
+        Settings(**setting)

@@ -5,7 +5,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from solutions.line_fitting import Line, distances, fit_line, point_at, positions_along
+from solutions.line_fitting import (
+    Line,
+    distances,
+    fit_line,
+    line_covariance,
+    point_at,
+    positions_along,
+)
 
 angles = st.floats(-math.pi, math.pi, exclude_min=True)
 
@@ -114,9 +121,8 @@ def test_the_fit_is_as_good_1000_km_away(offset):
         np.array([[1.0, 0], [0, 1], [-1, 0], [0, -1]]),
         np.array([[0.1, 0], [0, 0.1], [-0.1, 0], [0, -0.1]]) + 1e6,
         np.array([[math.cos(a), math.sin(a)] for a in 2 * math.pi / 5 * np.arange(5)]) + 7.3,
-        np.array([[0.0, 0.0], [math.nan, 1.0]]),
     ],
-    ids=["equal", "equal and far", "square", "square and far", "pentagon", "not a number"],
+    ids=["equal", "equal and far", "square", "square and far", "pentagon"],
 )
 def test_a_cloud_without_a_direction_is_reported(points):
     with pytest.raises(ValueError, match="No line"):
@@ -140,3 +146,22 @@ def test_distances_are_signed_and_positions_lead_back_to_the_points():
     assert distances(points, line) == pytest.approx([-2.0, 0.0, 2.0])
     feet = point_at(positions_along(points, line), line)
     assert feet == pytest.approx(np.tile([math.sqrt(3), 1.0], (3, 1)))
+
+
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("value", [math.nan, math.inf, -math.inf])
+def test_points_that_are_not_finite_are_named(value):
+    for function in (fit_line, lambda points: line_covariance(points, 0.01)):
+        with pytest.raises(ValueError, match="some coordinates are not finite"):
+            function(np.array([[0.0, 0.0], [value, 1.0], [2.0, 2.0]]))
+
+
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize(
+    "weights", [[0, 0, 0], [1, 1, -1], [1, math.nan, 1], [1, math.inf, 1], [1, 1], [[1, 1, 1]]]
+)
+def test_weights_that_cannot_be_are_explained(weights):
+    points = np.array([[0.0, 0.0], [1.0, 1.0], [2.0, 2.0]])
+    for function in (fit_line, lambda p, w: line_covariance(p, 0.01, w)):
+        with pytest.raises(ValueError, match="must be 3 finite numbers >= 0, not all of them 0"):
+            function(points, weights)

@@ -79,6 +79,17 @@ def test_a_score_by_hand():
     np.testing.assert_allclose(scores, [2 * share, 2 * share, 2.0], atol=1e-6)
 
 
+def test_scores_stay_between_0_and_2_in_single_precision():
+    rng = np.random.default_rng(0)
+    words_by_image = [rng.integers(0, 500, rng.integers(50, 900)) for _ in range(200)]
+    index = InvertedIndex(500)
+    index.extend(words_by_image)
+    scores = np.array([index.scores(words) for words in words_by_image])
+    assert scores.min() >= 0.0
+    assert scores.max() <= 2.0
+    np.testing.assert_allclose(scores.diagonal(), 0.0, atol=1e-5)
+
+
 def test_parts_are_few_and_images_keep_their_numbers(monkeypatch):
     monkeypatch.setattr(index_module, "MOST_IMAGES", 16)
     rng = np.random.default_rng(0)
@@ -192,6 +203,16 @@ def test_a_database_is_the_same_after_saving_and_loading(tmp_path, places, tree)
     assert loaded.query(places["place 0"], scoring="votes")[1].name == "one more"
 
 
+def test_a_database_knows_its_tree_after_that_was_saved_and_loaded(tmp_path, places, tree):
+    few = VocabularyTree(6, 4).fit(
+        places["place 0"], np.random.default_rng(0)
+    )  # some children lack
+    for own in (tree, few):
+        ImageDatabase(own).save(tmp_path / "places.db")
+        own.save(tmp_path / "tree")
+        ImageDatabase.load(tmp_path / "places.db", VocabularyTree.load(tmp_path / "tree"))
+
+
 def test_an_empty_database_can_be_saved(tmp_path, tree, places):
     ImageDatabase(tree).save(tmp_path / "empty.db")
     loaded = ImageDatabase.load(tmp_path / "empty.db", tree)
@@ -204,6 +225,12 @@ def test_a_database_needs_its_own_tree(tmp_path, tree, places):
     other = VocabularyTree(2, 2).fit(places["place 0"], np.random.default_rng(0))
     with pytest.raises(ValueError, match=r"216 words, the tree has 4"):
         ImageDatabase.load(tmp_path / "places.db", other)
+    collection = np.concatenate(list(places.values()))
+    of_another_seed = VocabularyTree(6, 3).fit(collection, np.random.default_rng(2))
+    of_bits = VocabularyTree(6, 3).fit(collection.astype(np.uint8), np.random.default_rng(1))
+    for other in (of_another_seed, of_bits, VocabularyTree(6, 3)):
+        with pytest.raises(ValueError, match="another tree of as many words"):
+            ImageDatabase.load(tmp_path / "places.db", other)
     tree.save(tmp_path / "tree")
     with pytest.raises(ValueError, match="does not hold an image database"):
         ImageDatabase.load(tmp_path / "tree", tree)

@@ -53,6 +53,21 @@ def test_more_iterations_never_make_the_clusters_worse(seed):
     assert all(later <= earlier * (1 + 1e-6) for earlier, later in itertools.pairwise(errors))
 
 
+@pytest.mark.parametrize(
+    ("points", "k", "seed", "different"),
+    [
+        ([(0,)] * 4 + [(1,)] * 4 + [(2,)] * 5 + [(3,)] * 2 + [(4,)] * 2, 5, 15, 5),
+        ([(0, 0), (1, 0), (0, 2), (0, 3), (1, 0), (1, 1), (0, 0), (0, 1), (0, 1)], 6, 220, 6),
+        ([(7, 7)] * 9, 4, 0, 1),
+    ],
+)
+def test_clusters_start_anew_at_different_points(points, k, seed, different):
+    # The largest errors are at copies of one point; only one of them should get a new centre.
+    centers = k_means(np.array(points, np.float32), k, np.random.default_rng(seed))
+    assert sorted(map(tuple, centers)) == sorted(set(points))
+    assert len(centers) == different
+
+
 @settings(max_examples=60, deadline=None)
 @given(
     st.lists(st.tuples(st.integers(0, 3), st.integers(0, 3)), min_size=1, max_size=30),
@@ -173,6 +188,52 @@ def test_a_file_that_holds_something_else_is_named(tmp_path):
     write_arrays(tmp_path / "other.tree", numbers=np.arange(3))
     with pytest.raises(ValueError, match=r"binary is missing"):
         VocabularyTree.load(tmp_path / "other.tree")
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        {"anything": np.zeros(3)},
+        {"level_1": None},
+        {"level_1": None, "level_9": np.zeros((9, 4), np.float32)},
+        {"level_0": np.zeros(3, np.float32)},
+        {"level_0": np.zeros((1, 4), np.float32)},
+        {"level_1": np.zeros((9, 5), np.float32)},
+        {"level_1": np.full((9, 4), np.nan, np.float32)},
+        {"level_2": np.zeros((26, 4), np.float32)},
+        {"level_2": np.zeros((27, 4), complex)},
+    ],
+)
+def test_a_file_whose_levels_make_no_tree_is_named(tmp_path, change):
+    rng = np.random.default_rng(0)
+    VocabularyTree(3, 3).fit(rng.normal(size=(100, 4)), rng).save(tmp_path / "words.tree")
+    arrays = {**np.load(tmp_path / "words.tree"), **change}
+    write_arrays(tmp_path / "words.tree", **{n: a for n, a in arrays.items() if a is not None})
+    with pytest.raises(ValueError, match=r"words\.tree is damaged, its levels make no tree"):
+        VocabularyTree.load(tmp_path / "words.tree")
+
+
+def test_a_tree_without_words_cannot_be_saved(tmp_path):
+    with pytest.raises(ValueError, match="call fit"):
+        VocabularyTree(2, 2).save(tmp_path / "words.tree")
+    assert not (tmp_path / "words.tree").exists()
+
+
+def test_descriptors_may_be_lists():
+    points = blobs(np.random.default_rng(0))[:40]
+    tree = VocabularyTree(3, 2).fit(points.tolist(), np.random.default_rng(0))
+    assert tree.words(points.tolist()).tolist() == tree.words(points).tolist()
+    assert tree.words([]).tolist() == []
+
+
+def test_a_tree_stays_as_it_was_if_it_cannot_learn_anew():
+    rng = np.random.default_rng(0)
+    points = blobs(rng)
+    tree = VocabularyTree(3, 2).fit(points, rng)
+    words = tree.words(points)
+    with pytest.raises(ValueError, match="no descriptors to learn"):
+        tree.fit(np.zeros((0, 16), np.uint8), rng)
+    assert np.array_equal(tree.words(points), words)
 
 
 def test_what_cannot_be_clustered_is_said_in_one_sentence():

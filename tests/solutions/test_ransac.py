@@ -4,10 +4,11 @@ import math
 import numpy as np
 import pytest
 
-from solutions import ransac_loop
+from solutions import plane_loop, ransac_loop
 from solutions.line_fitting import Line, distances, fit_line, point_at
 from solutions.plane_fitting import Plane, fit_plane, plane_distances
 from solutions.ransac import draw_samples, ransac_line, ransac_plane, required_iterations
+from solutions.wall_loop import find_walls
 
 THRESHOLD = 0.02
 
@@ -130,10 +131,55 @@ def test_offsets_and_tiny_thresholds_lose_no_inlier(offset):
     assert found.inliers.tolist() == list(range(100))
 
 
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("first", [1e6, 1e30, 1e200])
+def test_a_mark_for_no_echo_may_be_the_first_point(first):
+    rng = np.random.default_rng(10)
+    x = rng.uniform(-5, 5, 100)
+    points = np.vstack([np.full((3, 2), first), np.column_stack([x, 0.5 * x + 1])])
+    found = ransac_line(points, THRESHOLD, 100, rng)
+    assert found.inliers.tolist() == list(range(3, 103))
+
+
+def test_a_consensus_set_as_wide_as_long_gives_no_line():
+    corners = np.array([[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]])
+    assert ransac_line(corners, 2.0, 10, np.random.default_rng(0)) is None
+
+
 def test_more_points_than_a_small_integer_can_count():
     rng = np.random.default_rng(9)
     points = np.column_stack([rng.uniform(-5, 5, 70000), np.zeros(70000)])
     assert len(ransac_line(points, 0.01, 3, rng).inliers) == 70000
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_the_loops_pass_over_samples_of_equal_points(seed):
+    rng = np.random.default_rng(seed)
+    wall = np.repeat(wall_among_outliers(rng, N=40, inliers=20), 3, axis=0)
+    line, inliers = ransac_loop.ransac_line(wall, THRESHOLD, 300, rng)
+    assert line == pytest.approx(Line(2.0, math.atan2(4, 3)), abs=THRESHOLD / 4)
+    assert set(range(60)) <= set(inliers)
+    ((found, _),) = find_walls(wall, THRESHOLD, 300, 30, rng)
+    assert found == pytest.approx(line, abs=THRESHOLD / 4)
+
+
+def test_the_loops_say_when_no_sample_gave_a_model():
+    rng = np.random.default_rng(0)
+    with pytest.raises(ValueError, match="no sample had two different points"):
+        ransac_loop.ransac_line(np.ones((9, 2)), THRESHOLD, 10, rng)
+    points = np.outer(np.arange(10.0), [1.0, 2.0, 4.0])
+    with pytest.raises(ValueError, match="the points of each sample were on one line"):
+        plane_loop.ransac_plane(points, THRESHOLD, 10, rng)
+
+
+def test_a_heap_of_points_in_one_spot_is_no_wall():
+    rng = np.random.default_rng(0)
+    wall = np.column_stack([np.linspace(0, 3, 40), np.full(40, 1.0)])
+    points = np.vstack([wall, np.zeros((20, 2))])  # beams without an echo, say
+    ((line, indices),) = find_walls(points, THRESHOLD, 200, 10, rng)
+    assert line == pytest.approx((1.0, math.pi / 2))
+    assert indices.tolist() == list(range(40))
+    assert find_walls(np.zeros((0, 2)), THRESHOLD, 200, 0, rng) == []
 
 
 @pytest.mark.parametrize("spot", [(0.0, 0.0), (0.1, 1e6)])
@@ -157,6 +203,8 @@ def test_points_on_one_line_give_no_plane():
         ({"threshold": 0.0}, "threshold > 0"),
         ({"threshold": math.nan}, "threshold > 0"),
         ({"iterations": 0}, "iterations >= 1"),
+        ({"iterations": math.inf}, "whole number of iterations"),
+        ({"iterations": 7.5}, "whole number of iterations"),
         ({"confidence": 1.0}, "between 0 and 1"),
     ],
 )

@@ -61,6 +61,31 @@ def test_only_inliers_and_no_inliers():
     assert success_probability(0.0, 2, 3) == 0
 
 
+def test_one_sample_is_drawn_however_little_is_asked_for():
+    assert required_iterations(1e-10, 0.5, 2) == 1
+    assert required_iterations(1e-300, 1e-5, 2) == 1
+
+
+@pytest.mark.parametrize("w", [1e-160, 1e-200])  # w² is a denormal number, and zero
+def test_a_number_beyond_all_floats_is_infinite(w):
+    assert required_iterations(0.99, w, 2) == math.inf
+
+
+def test_an_infinite_number_of_samples_fails_only_without_inliers():
+    for w, fails in ((0.0, 1.0), (1e-5, 0.0), (0.5, 0.0), (1.0, 0.0)):
+        assert outlier_model_probability(w, 2, math.inf) == fails
+        assert success_probability(w, 2, math.inf) == 1.0 - fails
+
+
+@pytest.mark.parametrize("arguments", [(-0.2, 1, 1), (1.2, 2, 1), (0.5, 0, 1), (0.5, 2, -1)])
+def test_probabilities_out_of_range_are_reported(arguments):
+    for probability in (outlier_model_probability, success_probability):
+        with pytest.raises(ValueError, match="Needs 0 <= w <= 1"):
+            probability(*arguments)
+        with pytest.raises(ValueError, match="k=nan"):
+            probability(0.5, 2, math.nan)
+
+
 @pytest.mark.parametrize("arguments", [(0, 0.2, 2), (1, 0.2, 2), (0.9, 1.1, 2), (0.9, 0.2, 0)])
 def test_numbers_out_of_range_are_reported(arguments):
     with pytest.raises(ValueError, match="Needs 0 < p < 1"):
