@@ -95,19 +95,12 @@ class PlainSession:
             late.set()
             _kill(process)
 
-        def read_exactly(count: int) -> bytes:
-            assert process.stdout is not None
-            data = process.stdout.read(count)
-            if len(data) < count:
-                raise EOFError
-            return data
-
         watchdog = threading.Timer(seconds, give_up)
         watchdog.start()
         try:
             process.stdin.write(wire.encode(message))
             process.stdin.flush()
-            reply = wire.read_message(read_exactly)
+            reply = wire.read_stream(process.stdout)
             if not isinstance(reply, dict):
                 raise wire.WireError("not a reply")
             return reply

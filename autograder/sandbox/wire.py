@@ -20,7 +20,7 @@ import math
 import re
 import struct
 from collections.abc import Callable
-from typing import Any
+from typing import IO, Any
 
 import numpy as np
 
@@ -163,6 +163,18 @@ def _restore(item: Any, arrays: list[np.ndarray | None], depth: int = 0) -> Any:
                 return array
         raise WireError("an unknown marker")
     return item
+
+
+def read_stream(stream: IO[bytes]) -> Any:
+    """Read one message from a stream; raises as `read_message` does."""
+
+    def read_exactly(count: int) -> bytes:
+        data = stream.read(count)
+        if len(data) < count:
+            raise EOFError
+        return data
+
+    return read_message(read_exactly)
 
 
 def read_message(

@@ -30,15 +30,9 @@ def main() -> None:
     _limit_memory(int(os.environ.get("AUTOGRADER_MEMORY_MB", "0")))
     notebook = Notebook()
 
-    def read_exactly(count: int) -> bytes:
-        data = requests.read(count)
-        if len(data) < count:
-            raise EOFError
-        return data
-
     while True:
         try:
-            message = wire.read_message(read_exactly)
+            message = wire.read_stream(requests)
         except EOFError:
             return
         if message["do"] == "run":

@@ -118,17 +118,11 @@ class MarkerClient:
         assert stdin is not None
         assert stdout is not None
 
-        def read_exactly(count: int) -> bytes:
-            data = stdout.read(count)
-            if len(data) < count:
-                raise EOFError
-            return data
-
         with self._lock:
             try:
                 stdin.write(wire.encode(message))
                 stdin.flush()
-                reply = wire.read_message(read_exactly)
+                reply = wire.read_stream(stdout)
             except (EOFError, OSError, wire.WireError):
                 self._end()
                 raise AutograderError(

@@ -26,15 +26,9 @@ def main() -> None:
     os.dup2(2, 1)
     marker = Marker(load_course(), seed=secrets.randbits(32))
 
-    def read_exactly(count: int) -> bytes:
-        data = requests.read(count)
-        if len(data) < count:
-            raise EOFError
-        return data
-
     while True:
         try:
-            message = wire.read_message(read_exactly)
+            message = wire.read_stream(requests)
         except EOFError:
             return
         replies.write(wire.encode(_answer(marker, message)))
