@@ -12,6 +12,8 @@ from pathlib import Path
 import cv2
 import numpy as np
 
+from data.making.archive import write_arrays
+
 FOCAL_LENGTH = 4.15e-3  # m, the iPhone 5s (EXIF)
 PIXEL = 2 * 1.5e-6  # m, its pixels after halving the photographs
 BASELINE = 0.3  # m, how far the phone was moved sideways; sets the scale, and is a rough figure
@@ -56,7 +58,7 @@ def make_brick_walls(source: Path, target: Path) -> None:
     colors = left[np.clip(rows, 0, height - 1), np.clip(columns, 0, width - 1), ::-1]
 
     seen = (points[:, 2] > 0) & (points[:, 2] < FARTHEST)
-    np.savez_compressed(
+    write_arrays(
         target / "brick_walls.npz", points=points[seen].astype(np.float32), colors=colors[seen]
     )
 

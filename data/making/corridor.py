@@ -6,6 +6,8 @@ from pathlib import Path
 
 import numpy as np
 
+from data.making.archive import write_arrays
+
 SEED = 6
 BEAMS = 181
 NOISE = 0.01  # m, standard deviation of a range
@@ -53,7 +55,7 @@ def make_corridor(target: Path) -> None:
         ranges = np.minimum(ranges, distance)
     ranges = ranges + rng.normal(0.0, NOISE, ranges.shape)
     empty = (rng.random(ranges.shape) < NO_ECHO) | (ranges > MAX_RANGE)
-    np.savez_compressed(
+    write_arrays(
         target / "corridor.npz",
         ranges=np.where(empty, MAX_RANGE, ranges).astype(np.float32),
         angles=angles,

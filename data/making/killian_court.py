@@ -7,6 +7,8 @@ from pathlib import Path
 
 import numpy as np
 
+from data.making.archive import write_arrays
+
 BEAMS = 180
 
 
@@ -20,7 +22,7 @@ def make_killian_court(source: Path, target: Path) -> None:
         records = [line.split() for line in archive.read("killian.g2o").decode().splitlines()]
     ranges = np.array([r[9 : 9 + BEAMS] for r in records if r[0] == "ROBOTLASER1"], dtype=float)
     poses = np.array([r[2:5] for r in records if r[0] == "VERTEX_SE2"], dtype=float)
-    np.savez_compressed(
+    write_arrays(
         target / "killian_court.npz",
         ranges_cm=np.rint(ranges * 100).astype(np.uint16),  # exact: the scanner's own steps
         poses=poses,
