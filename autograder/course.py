@@ -33,6 +33,7 @@ class Settings:
     notebook_seconds: float = 120.0  # all cells of one notebook together
     cell_seconds: float = 30.0
     question_seconds: float = 20.0
+    cpu_seconds: int = 130  # of a processor, in each process that student code runs in
     memory_mb: int = 1024  # beyond what the libraries need
     processes: int = 64  # threads count too
     files: int = 5000

@@ -349,7 +349,7 @@ def limits(settings: Settings) -> dict[str, Any]:
     return {
         "limits": {
             "memory_mb": settings.memory_mb,
-            "cpu_seconds": int(settings.notebook_seconds) + 10,
+            "cpu_seconds": settings.cpu_seconds,
             "processes": settings.processes + 1,
             "spare": _SPARE_PROCESSES,
             "file_mb": settings.files_mb,

@@ -44,7 +44,6 @@ def limit_resources(limits: Limits) -> None:
     memory = pages * resource.getpagesize() + limits.memory_mb * 2**20
     for kind, value in (
         (resource.RLIMIT_AS, memory),
-        (resource.RLIMIT_CPU, limits.cpu_seconds),
         (resource.RLIMIT_NPROC, limits.processes),
         (resource.RLIMIT_FSIZE, limits.file_mb * 2**20),
         (resource.RLIMIT_NOFILE, 256),
@@ -53,6 +52,8 @@ def limit_resources(limits: Limits) -> None:
         (resource.RLIMIT_MSGQUEUE, 0),
     ):
         resource.setrlimit(kind, (value, value))
+    # Were both alike, the kernel would kill without the signal that says why.
+    resource.setrlimit(resource.RLIMIT_CPU, (limits.cpu_seconds, limits.cpu_seconds + 1))
     # A file over the limit is an error in the code that writes it, not the end of the process.
     signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
 

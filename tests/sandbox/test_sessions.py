@@ -5,7 +5,7 @@ import time
 
 import numpy as np
 import pytest
-from small_course import GOOD, NUMBER, check_good
+from small_course import CASE, GOOD, NUMBER, PATIENT, check_good
 
 from autograder.sandbox.launcher import Stopped
 
@@ -173,3 +173,17 @@ def test_cells_after_the_notebooks_time_are_not_run(sandbox):
     first = errors.index("timeout")
     assert 1 <= first <= 3  # two sleeps fit into the second; a busy machine fits fewer
     assert errors == [None] * first + ["timeout"] * (8 - first)
+
+
+def test_processor_time_is_limited_by_a_setting_and_the_mark_says_so(sandbox):
+    from dataclasses import replace
+
+    from autograder.sandbox.session import Session
+
+    limits = replace(PATIENT, cpu_seconds=1)
+    with Session(sandbox._take_host, limits, 0) as session:
+        session.run(["def spin(x):\n    while True: pass", "def double(x):\n    return 2 * x"], [])
+        with pytest.raises(Stopped, match="processor time") as stopped:
+            session.evaluate("spin", CASE)
+        assert stopped.value.status == "timeout"
+        assert session.evaluate("double", CASE)["state"] == "given"
