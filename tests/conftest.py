@@ -1,18 +1,23 @@
-"""Fixtures that several test modules share: a small course to break, and the real one."""
+"""Fixtures that several test modules share: a course to break, the real one, and a browser."""
 
 from __future__ import annotations
 
+import os
+import shutil
 import sys
 from collections.abc import Iterator
 from pathlib import Path
 from types import ModuleType
 
 import pytest
+from playwright.sync_api import Browser, sync_playwright
 from tiny_course import TinyCourse, make_tiny_course
 
 from autograder.course import Course, load_course
 
 ROOT = Path(__file__).parent.parent
+BROWSERS = ("chromium", "chromium-browser", "google-chrome")
+NO_BROWSER = "no browser: install Debian's package chromium, or name one in AUTOGRADER_BROWSER"
 
 
 def take_solutions_out() -> dict[str, ModuleType]:
@@ -38,3 +43,26 @@ def tiny_course(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Tin
 def real_course() -> Course:
     """The course of this repository."""
     return load_course(ROOT)
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Browser]:
+    """Chromium without a window; without a browser, one clear line.
+
+    For one file only: as long as Playwright runs, its process can have no other event loop.
+    """
+    program = os.environ.get("AUTOGRADER_BROWSER") or next(
+        filter(None, map(shutil.which, BROWSERS)), ""
+    )
+    if not program:
+        if os.environ.get("CI") == "true":
+            pytest.fail(NO_BROWSER)
+        pytest.skip(NO_BROWSER)
+    # Root, as in a container, may not use Chromium's own sandbox; /dev/shm is small there too.
+    flags = ["--disable-dev-shm-usage", "--force-color-profile=srgb"]
+    if hasattr(os, "geteuid") and os.geteuid() == 0:
+        flags.append("--no-sandbox")
+    with sync_playwright() as playwright:
+        chromium = playwright.chromium.launch(executable_path=program, args=flags)
+        yield chromium
+        chromium.close()

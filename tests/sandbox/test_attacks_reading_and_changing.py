@@ -234,7 +234,8 @@ json.dumps = lambda *a, **k: "{}"
 math.ceil = math.log = None
 sys.modules["numpy"] = None
 """
-    assert lab.error(code) == "timeout"  # its own process cannot even answer any more
+    # Its own process cannot even answer any more: it hangs or ends, as Python's version has it.
+    assert lab.error(code) in ("timeout", "killed")
 
 
 @pytest.mark.parametrize("target", ["-1", "0", "1", "os.getppid()", "{grader}", "-{grader}"])
