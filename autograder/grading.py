@@ -132,7 +132,7 @@ class _Slots:
 
     def __init__(self, marker: Marker, most: int, isolation: Isolation, until: ExitStack) -> None:
         self._marker, self._most, self._isolation, self._until = marker, most, isolation, until
-        self._seconds: list[float] = []
+        self._graded, self._seconds = 0, 0.0
         self.idle: SimpleQueue[Sandbox] = SimpleQueue()
         self.count = 0
 
@@ -148,8 +148,9 @@ class _Slots:
 
         ``seconds`` is what the last submission took.
         """
-        self._seconds.append(seconds)
-        each = sum(self._seconds) / len(self._seconds)
+        self._graded += 1
+        self._seconds += seconds
+        each = self._seconds / self._graded
         while self.count < self._most:
             saved = waiting * each / (self.count * (self.count + 1))
             if saved < self._start_seconds:
