@@ -11,7 +11,7 @@ from benchmarks.report import OURS, Curve, Row, Section
 from benchmarks.scenes import BEAMS, hard_scenes
 from benchmarks.scoring import rates
 from benchmarks.timing import measure
-from solutions.line_extraction import (
+from solutions.lines.line_extraction import (
     Segment,
     Settings,
     sequential_ransac,

@@ -18,7 +18,7 @@ from solutions.place_recognition import (
     idf_weights,
     l1_scores,
 )
-from solutions.place_recognition.vocabulary_tree import POINTS_PER_CENTER
+from solutions.place_recognition.fast.vocabulary_tree import POINTS_PER_CENTER
 
 SEEDS = 5
 SMALL = "SIFT, 1000 words"

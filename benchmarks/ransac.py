@@ -10,8 +10,8 @@ import data
 from benchmarks import peers
 from benchmarks.report import OURS, Curve, Row, Section
 from benchmarks.timing import measure
-from solutions import ransac_loop
-from solutions.ransac import ransac_line, ransac_plane, required_iterations
+from solutions.ransac import line as ransac_loop
+from solutions.ransac.fast.consensus import ransac_line, ransac_plane, required_iterations
 
 INLIER_RATIO = 0.2
 SIGMA = 0.005  # m
@@ -40,7 +40,7 @@ share of inliers of eleven runs is given.
 - scikit-learn: `RANSACRegressor` with its linear regression, distances along the last axis
   (threshold widened accordingly).
 - pyransac3d: `Plane().fit`, no refit. Open3D: `segment_plane(probability=1.0)`, one refit.
-- the course's loop: `solutions.ransac_loop`, one hypothesis after the other, as students write it.
+- the course's loop: `solutions.ransac.line`, one hypothesis after the other, as students write it.
 """
 
 

@@ -23,8 +23,8 @@ from pathlib import Path
 
 import numpy as np
 
-from autograder.answers import ExpressionAnswer, NumberAnswer, OrderAnswer, TrueFalseAnswer
 from autograder.course import Course, load_course
+from autograder.course.answers import ExpressionAnswer, NumberAnswer, OrderAnswer, TrueFalseAnswer
 from solutions.make_sample_class import Work
 
 ROOT = Path(__file__).parents[1]

@@ -9,9 +9,9 @@ from typing import Any
 
 from autograder.course import Course, load_course
 from autograder.gradebook import Gradebook
-from autograder.grading import Graded
+from autograder.grading.submission import Graded
+from autograder.intake.submissions import Submission
 from autograder.marking import Mark, Part
-from autograder.submissions import Submission
 
 QUESTIONS = """
 title = "The orchard"

@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from autograder.marker import Marker
 from autograder.marking import Mark
-from autograder.sandbox.evaluate import evaluate
+from autograder.marking.marker import Marker
+from autograder.sandbox.inside.evaluate import evaluate
 
 N, INLIERS = 1000, 200
 W, P = Fraction(1, 5), Fraction(19, 20)

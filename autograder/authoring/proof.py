@@ -15,18 +15,18 @@ from pathlib import Path
 
 import numpy as np
 
-from autograder import answers as a
-from autograder import questions as q
 from autograder.authoring.build import build_student_notebooks, unexecuted_solved_notebooks
 from autograder.course import ANSWERS, QUESTIONS, Course, load_course
+from autograder.course import answers as a
+from autograder.course import questions as q
+from autograder.course.formula import evaluate_formula
 from autograder.errors import AutograderError
-from autograder.formula import evaluate_formula
-from autograder.grading import grade_contents
-from autograder.marker import Marker
+from autograder.grading.submission import grade_contents
+from autograder.intake.submissions import Contents, Notebook
+from autograder.kinds.order.marking import transitive_closure
 from autograder.marking import Mark
-from autograder.marking.order import transitive_closure
+from autograder.marking.marker import Marker
 from autograder.sandbox.launcher import Sandbox
-from autograder.submissions import Contents, Notebook
 
 # Hidden inputs are random: what holds for one draw must hold for others.
 SEEDS = (1, 2, 3)

@@ -7,11 +7,11 @@ import inspect
 import textwrap
 from dataclasses import dataclass
 
-from autograder.answers import Answer, FunctionAnswer, OrderAnswer, TrueFalseAnswer
 from autograder.course import Course
+from autograder.course.answers import Answer, FunctionAnswer, OrderAnswer, TrueFalseAnswer
+from autograder.course.questions import Expression, Function, Order, Question, TrueFalse
 from autograder.errors import CourseError
-from autograder.probes import load_object
-from autograder.questions import Expression, Function, Order, Question, TrueFalse
+from autograder.marking.make_probe import load_object
 
 
 @dataclass(frozen=True)

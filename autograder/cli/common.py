@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Any
 from autograder.course import Course, load_course
 
 if TYPE_CHECKING:
-    from autograder.classlist import ClassList
     from autograder.gradebook import Gradebook
+    from autograder.intake.class_list import ClassList
 
 Commands = Any  # argparse has no public name for what add_subparsers returns
 GRADEBOOK = "gradebook.db"
@@ -89,7 +89,7 @@ def find_class_list(parsed: argparse.Namespace, book: Gradebook) -> ClassList:
 
     Without one, an empty list: nobody is late, and nobody has a number.
     """
-    from autograder.classlist import ClassList, read_class_list
+    from autograder.intake.class_list import ClassList, read_class_list
 
     if parsed.class_list is not None:
         found = read_class_list(parsed.class_list)

@@ -48,7 +48,7 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
         class_list = find_class_list(parsed, book)
         explanations = book.setting("explanations") == "yes"
     if parsed.format == "gradescope":
-        from autograder.release.gradescope_zip import write_gradescope
+        from autograder.release.gradescope.package import write_gradescope
 
         folder = parsed.to or parsed.out / "gradescope"
         count = write_gradescope(folder, course, records, explanations)

@@ -30,7 +30,7 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
     """Grade what is at the paths; what was graded before with the same key is not run again."""
     from autograder.cli.grading_run import grade_and_report
     from autograder.gradebook import Gradebook
-    from autograder.submissions import find_submissions
+    from autograder.intake.submissions import find_submissions
 
     course = load(parsed)
     assert course.key  # a broken key is said before anything runs

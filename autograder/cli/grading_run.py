@@ -9,20 +9,20 @@ from functools import partial
 
 from rich.console import Console
 
-from autograder.classlist import handed_in_at
 from autograder.cli.common import find_class_list, print_json
 from autograder.cli.status import DONE
 from autograder.course import Course
 from autograder.gradebook import Gradebook, Record, Run
-from autograder.grading import Graded, grade_all
-from autograder.marker import Marker
-from autograder.regrading import Change, changes
+from autograder.grading.changes import Change, changes
+from autograder.grading.submission import Graded, grade_all
+from autograder.intake.class_list import handed_in_at
+from autograder.intake.submissions import Submission
+from autograder.marking.marker import Marker
 from autograder.reports.machine import change_fields, record_fields
 from autograder.reports.pictures import Pictures
 from autograder.reports.terminal import print_changes, print_table, progress_bar, warn
 from autograder.reports.write import Options, write_reports
 from autograder.sandbox.launcher import NO_SANDBOX, Isolation, isolation_text
-from autograder.submissions import Submission
 
 
 def grade_and_report(

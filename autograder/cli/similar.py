@@ -39,10 +39,10 @@ def add(commands: Commands) -> None:
 def run(parsed: argparse.Namespace, console: Console) -> int:
     """Compare everybody with everybody, print the pairs and write similar.csv."""
     from autograder.gradebook import Gradebook
+    from autograder.intake.submissions import Unreadable, find_submissions, read_submission
     from autograder.reports.files import write_csv
+    from autograder.reports.similarity import fingerprints, handout_cells, similar_pairs
     from autograder.reports.terminal import printable, progress_bar
-    from autograder.similarity import fingerprints, handout_cells, similar_pairs
-    from autograder.submissions import Unreadable, find_submissions, read_submission
 
     course = load(parsed)
     if parsed.paths:

@@ -16,9 +16,9 @@ from urllib.parse import unquote_to_bytes
 from autograder.errors import UsageError
 from autograder.gradebook.record import Note, Override, Record
 from autograder.gradebook.schema import connect, readable_errors
-from autograder.grading import Graded
+from autograder.grading.submission import Graded
+from autograder.intake.submissions import Submission
 from autograder.marking import Mark
-from autograder.submissions import Submission
 
 
 @dataclass(frozen=True)

@@ -6,16 +6,16 @@ import math
 from dataclasses import replace
 from typing import Any, TypeGuard
 
-from autograder import answers as a
-from autograder import questions as q
-from autograder.marking.expression import mark_expression
-from autograder.marking.function import mark_function
+from autograder.course import answers as a
+from autograder.course import questions as q
+from autograder.kinds.expression.marking import mark_expression
+from autograder.kinds.function.marking import mark_function
+from autograder.kinds.number.marking import mark_number
+from autograder.kinds.order.marking import mark_order
+from autograder.kinds.true_false.marking import mark_true_false
 from autograder.marking.mark import Mark, not_attempted
-from autograder.marking.number import mark_number
-from autograder.marking.order import mark_order
 from autograder.marking.probe import Probe
-from autograder.marking.true_false import mark_true_false
-from autograder.sandbox.evaluate import REASONS
+from autograder.sandbox.inside.evaluate import REASONS
 
 
 def mark_response(
@@ -24,8 +24,8 @@ def mark_response(
     """Mark one response.
 
     For true/false and order questions ``response`` is the list the student gave (None if there is
-    none). For the others it is what `autograder.sandbox.evaluate.evaluate` returned for the probe,
-    and ``understood`` what the response looked like before any probe was sent.
+    none). For the others it is what `autograder.sandbox.inside.evaluate.evaluate` returned for
+    the probe, and ``understood`` what the response looked like before any probe was sent.
     Nothing in it is trusted.
     """
     if isinstance(question, q.TrueFalse) and isinstance(answer, a.TrueFalseAnswer):

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any
 
-from autograder.marking.expression import Points
-from autograder.marking.function import Expected
+from autograder.kinds.expression.marking import Points
+from autograder.kinds.function.marking import Expected
 
 
 @dataclass(frozen=True)

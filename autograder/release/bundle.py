@@ -13,12 +13,12 @@ from pathlib import Path
 from autograder.authoring.build import build_student_notebooks
 from autograder.course import Course, Settings
 from autograder.errors import CourseError, UsageError
+from autograder.marking.snapshots import SNAPSHOTS
 from autograder.release.files import student_files
 from autograder.release.leaks import leaks
 from autograder.release.practice import PRACTICE, practice_files
 from autograder.release.readme import student_readme
 from autograder.release.take_snapshots import chapter_snapshots
-from autograder.snapshots import SNAPSHOTS
 
 # What only building, grading and CI need; all other dependencies of the course are the students'.
 _INSTRUCTORS = frozenset({"jupytext", "nbformat", "nbclient", "rich", "nbval"})

@@ -11,9 +11,9 @@ from collections.abc import Iterable, Iterator
 from itertools import pairwise
 from pathlib import Path
 
-from autograder.answers import Answer, FunctionAnswer, TrueFalseAnswer
 from autograder.course import Course
-from autograder.probes import load_object
+from autograder.course.answers import Answer, FunctionAnswer, TrueFalseAnswer
+from autograder.marking.make_probe import load_object
 
 _SHORTEST = 12  # characters; shorter strings turn up by chance
 _SHORTEST_CODE = 40

@@ -10,8 +10,8 @@ import ast
 from collections.abc import Collection, Iterator
 from pathlib import Path
 
-from autograder.answers import FunctionAnswer
 from autograder.course import ANSWERS, QUESTIONS, Course
+from autograder.course.answers import FunctionAnswer
 from autograder.errors import UsageError
 
 PRACTICE = Path("practice")

@@ -16,14 +16,14 @@ from typing import Any
 
 import numpy as np
 
-from autograder.answers import ExpressionAnswer, FunctionAnswer
 from autograder.course import Chapter, Course
-from autograder.formula import evaluate_formula
-from autograder.marking.expression import POINT_COUNT
-from autograder.marking.function import Expected, agrees, close
-from autograder.probes import make_probe
-from autograder.questions import Question
-from autograder.snapshots import pack
+from autograder.course.answers import ExpressionAnswer, FunctionAnswer
+from autograder.course.formula import evaluate_formula
+from autograder.course.questions import Question
+from autograder.kinds.expression.marking import POINT_COUNT
+from autograder.kinds.function.marking import Expected, agrees, close
+from autograder.marking.make_probe import make_probe
+from autograder.marking.snapshots import pack
 
 # The grader's seeds have 32 bits, so these inputs never grade anybody.
 SEED = 1 << 40

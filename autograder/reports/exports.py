@@ -11,9 +11,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-from autograder.classlist import ClassList, Student
 from autograder.course import Course
 from autograder.gradebook.record import Record
+from autograder.intake.class_list import ClassList, Student
 from autograder.reports.files import write_csv
 from autograder.reports.machine import most_points
 

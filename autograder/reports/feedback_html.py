@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from autograder.course import Course
+from autograder.course.questions import Order, Question, TrueFalse
 from autograder.gradebook.record import Override, Record
 from autograder.marking import Mark, Part
-from autograder.questions import Order, Question, TrueFalse
 from autograder.reports.machine import most_points
 from autograder.reports.markdown import inline, markdown, text
 from autograder.reports.page import page

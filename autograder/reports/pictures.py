@@ -13,11 +13,11 @@ from typing import Any
 
 import numpy as np
 
-from autograder.answers import FunctionAnswer
 from autograder.course import Course
-from autograder.marker import Marker
+from autograder.course.answers import FunctionAnswer
 from autograder.marking import Mark
-from autograder.probes import load_object
+from autograder.marking.make_probe import load_object
+from autograder.marking.marker import Marker
 from autograder.reports.markdown import text
 from autograder.reports.svg import BLUE, DARK, GREEN, RED, Chart, swatch
 

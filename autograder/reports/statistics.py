@@ -9,9 +9,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from autograder.course import Course
+from autograder.course.questions import Order, Question, TrueFalse
 from autograder.gradebook.record import Record
 from autograder.marking import Mark
-from autograder.questions import Order, Question, TrueFalse
 from autograder.reports.machine import most_points
 
 FEWEST = 10  # below that, a correlation is chance

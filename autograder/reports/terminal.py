@@ -13,8 +13,8 @@ from rich.table import Table
 
 from autograder.course import Course
 from autograder.gradebook.record import Record
+from autograder.grading.changes import Change
 from autograder.marking import Mark
-from autograder.regrading import Change
 from autograder.reports.machine import most_points
 
 SIGNS = {

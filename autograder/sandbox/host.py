@@ -18,8 +18,8 @@ from typing import Any
 import autograder
 from autograder.course import Settings
 from autograder.errors import AutograderError
+from autograder.exchange.channel import Channel
 from autograder.sandbox import bubblewrap, landlock, seccomp
-from autograder.sandbox.channel import Channel
 from autograder.sandbox.identity import OwnIdentity
 from autograder.sandbox.own_folder import OwnFolder
 
@@ -264,7 +264,7 @@ class Host:
             process = subprocess.Popen(
                 [
                     *prefix,
-                    *(sys.executable, "-P", "-m", "autograder.sandbox.zygote"),
+                    *(sys.executable, "-P", "-m", "autograder.sandbox.inside.zygote"),
                     str(theirs.fileno()),
                 ],
                 stdin=subprocess.DEVNULL,
@@ -333,7 +333,7 @@ def compile_libraries() -> None:
         subprocess.run(
             # This runs with the instructor's rights, so nothing may be imported from the current
             # folder, which may hold what students handed in.
-            [sys.executable, "-P", "-m", "autograder.sandbox.warm"],
+            [sys.executable, "-P", "-m", "autograder.sandbox.inside.warm"],
             cwd="/",
             env=environment,
             stdin=subprocess.DEVNULL,

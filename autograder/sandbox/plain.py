@@ -15,10 +15,10 @@ from pathlib import Path
 from typing import Any
 
 from autograder.course import Course
-from autograder.sandbox import wire
+from autograder.exchange import wire
+from autograder.exchange.replies import clean_evaluation, clean_report
 from autograder.sandbox.own_folder import OwnFolder
 from autograder.sandbox.removal import remove
-from autograder.sandbox.replies import clean_evaluation, clean_report
 from autograder.sandbox.stopped import Stopped, out_of_time
 
 VISIBLE = ("autograder", "data", "notebooks")
@@ -132,7 +132,7 @@ class PlainSession:
         if sys.platform == "win32":
             environment["SYSTEMROOT"] = os.environ["SYSTEMROOT"]
         self._process = subprocess.Popen(
-            [sys.executable, "-m", "autograder.sandbox.worker"],
+            [sys.executable, "-m", "autograder.sandbox.inside.worker"],
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=subprocess.DEVNULL,

@@ -12,10 +12,10 @@ from collections.abc import Callable
 from typing import Any
 
 from autograder.course import Settings
-from autograder.sandbox import wire
-from autograder.sandbox.channel import Channel, Late
+from autograder.exchange import wire
+from autograder.exchange.channel import Channel, Late
+from autograder.exchange.replies import clean_evaluation, clean_report
 from autograder.sandbox.host import Host, HostError, limits
-from autograder.sandbox.replies import clean_evaluation, clean_report
 from autograder.sandbox.stopped import Stopped, out_of_time
 
 GRACE = 1.0  # seconds between the child's own limit and the one kept here
@@ -76,7 +76,7 @@ class Session:
         return self._run(names)
 
     def evaluate(self, name: str, probe: dict[str, Any]) -> dict[str, Any]:
-        """Evaluate the response held by ``name``, as `autograder.sandbox.evaluate` says.
+        """Evaluate the response held by ``name``, as `autograder.sandbox.inside.evaluate` says.
 
         Raises:
             Stopped: if it takes too long, if its process dies, or if the cell that should define it

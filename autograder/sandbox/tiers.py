@@ -11,12 +11,12 @@ from threading import Lock
 from typing import Any
 
 from autograder.course import Course
+from autograder.exchange.channel import Late
+from autograder.exchange.wire import WireError
 from autograder.sandbox import bubblewrap, landlock, seccomp
-from autograder.sandbox.channel import Late
 from autograder.sandbox.host import Host, HostError, limits
 from autograder.sandbox.launcher import SandboxError
 from autograder.sandbox.own_folder import OwnFolder
-from autograder.sandbox.wire import WireError
 
 _TRIAL_PROCESSES = 6
 _TRIAL_BOMB = 66  # so many would mean that there is no limit; what the user runs may vary meanwhile

@@ -7,8 +7,8 @@ from pathlib import Path
 from typing import Any
 
 from autograder.course import find_course_root, load_course
+from autograder.course.questions import Order, TrueFalse
 from autograder.errors import AutograderError, UsageError
-from autograder.questions import Order, TrueFalse
 from autograder.student import unsaved
 from autograder.student.choices import read_choice
 from autograder.student.desk import Desk

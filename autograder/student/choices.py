@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 from typing import Any
 
+from autograder.course.questions import Expression, Number, Order, Question, TrueFalse
 from autograder.errors import UsageError
-from autograder.marking.order import fits_order
-from autograder.marking.true_false import fits_true_false
-from autograder.questions import Expression, Number, Order, Question, TrueFalse
+from autograder.kinds.order.marking import fits_order
+from autograder.kinds.true_false.marking import fits_true_false
 
 
 def fits(question: Question, response: Any) -> bool:

@@ -8,10 +8,10 @@ from typing import Any
 from weakref import WeakSet
 
 from autograder.course import Course
+from autograder.course.questions import Expression, Number, Order, Question, TrueFalse
 from autograder.errors import UsageError
 from autograder.marking.mark import Mark, not_attempted, stopped
-from autograder.questions import Expression, Number, Order, Question, TrueFalse
-from autograder.sandbox.evaluate import describe, evaluate
+from autograder.sandbox.inside.evaluate import describe, evaluate
 from autograder.student.choices import fits, untouched
 from autograder.student.frontend import running_shell
 from autograder.student.marker_client import marker_for

@@ -10,9 +10,9 @@ from typing import Any
 
 from autograder.course import Course, load_course
 from autograder.errors import AutograderError, CourseError
+from autograder.exchange import wire
 from autograder.marking.mark import Mark
-from autograder.sandbox import wire
-from autograder.snapshots import SNAPSHOTS, SnapshotMarker
+from autograder.marking.snapshots import SNAPSHOTS, SnapshotMarker
 
 _client: MarkerClient | None = None
 _bundle: BundleMarker | None = None

@@ -15,8 +15,8 @@ from typing import Any
 
 from autograder.course import load_course
 from autograder.errors import AutograderError
-from autograder.marker import Marker
-from autograder.sandbox import wire
+from autograder.exchange import wire
+from autograder.marking.marker import Marker
 
 
 def main() -> None:

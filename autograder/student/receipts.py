@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from autograder.course import Chapter, Course
-from autograder.notebook_reader import RECEIPT, Unreadable, read_notebook
+from autograder.intake.notebook_reader import RECEIPT, Unreadable, read_notebook
 from autograder.student.choices import fits, untouched
 from autograder.student.responses import Entry, notebooks_folder
 

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from autograder.course import Course
 from autograder.errors import AutograderError
-from autograder.notebook_reader import Unreadable, read_notebook
+from autograder.intake.notebook_reader import Unreadable, read_notebook
 
 
 @dataclass(frozen=True)

@@ -11,8 +11,8 @@ import math
 from collections.abc import Callable, Mapping
 from typing import Any
 
+from autograder.course.questions import Expression, Number, Question
 from autograder.errors import UsageError
-from autograder.questions import Expression, Number, Question
 
 MAX_LENGTH = 500
 MAX_BITS = 10_000

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 from autograder.course import Course
+from autograder.course.questions import Expression, Order, Question, TrueFalse
 from autograder.marking.mark import Mark
-from autograder.questions import Expression, Order, Question, TrueFalse
 from autograder.student.choices import in_words
 from autograder.student.receipts import RECEIPT, receipt
 from autograder.student.responses import answered, points

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from solutions.line_fitting import Line, fit_line
+from solutions.lines.line_fitting import Line, fit_line
 
 
 def _centred_sums(points, weights):

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from solutions.plane_fitting import Plane, fit_plane, plane_distances
-from solutions.ransac_loop import ransac_line
+from solutions.lines.plane_fitting import Plane, fit_plane, plane_distances
+from solutions.ransac.line import ransac_line
 
 
 def _ransac_plane(points, threshold, iterations, rng, agrees, refit=True):

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from solutions.line_fitting import Line, distances, fit_line
+from solutions.lines.line_fitting import Line, distances, fit_line
 
 
 def rounds_down(p, w, s):

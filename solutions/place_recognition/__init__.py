@@ -5,10 +5,11 @@ As the course explains it: `words`, `inverted_file`, `scoring`. For many images:
 `verification` with the `fundamental_matrix`.
 """
 
-from solutions.place_recognition.database import Candidate, ImageDatabase
+from solutions.place_recognition.fast.database import Candidate, ImageDatabase
+from solutions.place_recognition.fast.index import InvertedIndex
+from solutions.place_recognition.fast.vocabulary_tree import VocabularyTree
 from solutions.place_recognition.features import Features, extract_features
 from solutions.place_recognition.fundamental_matrix import Epipolar, ransac_fundamental
-from solutions.place_recognition.index import InvertedIndex
 from solutions.place_recognition.inverted_file import build_inverted_file, count_votes
 from solutions.place_recognition.k_means import k_means
 from solutions.place_recognition.scoring import idf_weights, l1_scores
@@ -17,7 +18,6 @@ from solutions.place_recognition.verification import (
     match_features,
     verify_candidates,
 )
-from solutions.place_recognition.vocabulary_tree import VocabularyTree
 from solutions.place_recognition.words import assign_words, descend_tree
 
 __all__ = [

@@ -12,8 +12,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from solutions.ransac import draw_samples
-from solutions.ransac_probabilities import required_iterations
+from solutions.ransac.fast.consensus import draw_samples
+from solutions.ransac.probabilities import required_iterations
 
 SAMPLE_SIZE = 8
 TRIED_AT_ONCE = 64

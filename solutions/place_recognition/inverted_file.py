@@ -1,6 +1,6 @@
 """The inverted file and the votes, as the course explains them.
 
-`solutions.place_recognition.database` keeps the same lists in flat arrays.
+`solutions.place_recognition.fast.database` keeps the same lists in flat arrays.
 """
 
 import numpy as np

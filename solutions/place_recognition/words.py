@@ -1,6 +1,6 @@
 """From descriptors to visual words, one step at a time, as the course explains it.
 
-`solutions.place_recognition.vocabulary_tree` does the same for many descriptors at once.
+`solutions.place_recognition.fast.vocabulary_tree` does the same for many descriptors at once.
 
 Source: Nister and Stewenius, Scalable recognition with a vocabulary tree, CVPR 2006.
 """

@@ -114,7 +114,7 @@ def test_grading_again_without_a_change_runs_nothing(classroom: Classroom, monke
     def must_not_run(*arguments: object) -> None:
         raise AssertionError("it was run again")
 
-    monkeypatch.setattr("autograder.grading.grade_contents", must_not_run)
+    monkeypatch.setattr("autograder.grading.submission.grade_contents", must_not_run)
     assert classroom.run("grade", str(classroom.work)) == 0
 
 

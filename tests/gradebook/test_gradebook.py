@@ -11,8 +11,8 @@ import pytest
 
 from autograder.errors import UsageError
 from autograder.gradebook import SCHEMA_VERSION, Gradebook, GradebookError
-from autograder.grading import Graded
-from autograder.submissions import Submission
+from autograder.grading.submission import Graded
+from autograder.intake.submissions import Submission
 from tests.classroom import fill, graded, hostile_mark, mark
 
 

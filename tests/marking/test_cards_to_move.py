@@ -7,7 +7,7 @@ from itertools import combinations
 from hypothesis import given
 from hypothesis import strategies as st
 
-from autograder.marking.order import cards_to_move, transitive_closure
+from autograder.kinds.order.marking import cards_to_move, transitive_closure
 
 CARDS = tuple("abcdefg")
 

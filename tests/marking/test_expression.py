@@ -9,11 +9,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from tiny_course import TinyCourse, make_tiny_course
 
-from autograder.answers import ExpressionAlternative
-from autograder.marker import Marker
+from autograder.course.answers import ExpressionAlternative
+from autograder.kinds.expression.marking import POINT_COUNT, matches
 from autograder.marking import Mark
-from autograder.marking.expression import POINT_COUNT, matches
-from autograder.sandbox.evaluate import evaluate
+from autograder.marking.marker import Marker
+from autograder.sandbox.inside.evaluate import evaluate
 
 NAMES = "r alpha N x_c y_c sum_x sum_y S_xx S_yy S_xy w"
 

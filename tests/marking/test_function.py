@@ -9,10 +9,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
 
-from autograder.marker import Marker
+from autograder.kinds.function.marking import close
 from autograder.marking import Mark
-from autograder.marking.function import close
-from autograder.sandbox.evaluate import evaluate
+from autograder.marking.marker import Marker
+from autograder.sandbox.inside.evaluate import evaluate
 
 
 @pytest.fixture

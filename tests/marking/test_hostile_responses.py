@@ -9,11 +9,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 from tiny_course import make_tiny_course
 
-from autograder.marker import Marker
+from autograder.exchange import wire
+from autograder.kinds.function.marking import Expected, mark_function
 from autograder.marking import STATUSES, Mark
-from autograder.marking.function import Expected, mark_function
+from autograder.marking.marker import Marker
 from autograder.marking.probe import Probe
-from autograder.sandbox import wire
 
 IDS = ["Q1.1", "Q1.2", "Q1.3", "Q1.4", "Q1.5"]
 

@@ -10,12 +10,12 @@ import sympy as sp
 from hypothesis import given
 from hypothesis import strategies as st
 
-from autograder.answers import NumberAlternative, NumberAnswer
-from autograder.marker import Marker
+from autograder.course.answers import NumberAlternative, NumberAnswer
+from autograder.course.questions import Number
+from autograder.kinds.number.marking import mark_number
 from autograder.marking import Mark
-from autograder.marking.number import mark_number
-from autograder.questions import Number
-from autograder.sandbox.evaluate import evaluate
+from autograder.marking.marker import Marker
+from autograder.sandbox.inside.evaluate import evaluate
 
 COMMON = {"id": "Q9", "chapter": "c", "title": "t", "prompt": "p", "points": 4.0, "hints": ("h",)}
 

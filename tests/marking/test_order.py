@@ -7,10 +7,10 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from autograder.answers import OrderAnswer
-from autograder.marker import Marker
-from autograder.marking.order import fewest_moves, mark_order, transitive_closure
-from autograder.questions import Card, Order
+from autograder.course.answers import OrderAnswer
+from autograder.course.questions import Card, Order
+from autograder.kinds.order.marking import fewest_moves, mark_order, transitive_closure
+from autograder.marking.marker import Marker
 
 Graph = list[tuple[str, str]]
 

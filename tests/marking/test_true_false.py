@@ -4,7 +4,7 @@ import itertools
 
 import pytest
 
-from autograder.marker import Marker
+from autograder.marking.marker import Marker
 
 
 @pytest.fixture

@@ -12,15 +12,15 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from autograder.answers import ExpressionAnswer, FunctionAnswer
 from autograder.course import Course, load_course
+from autograder.course.answers import ExpressionAnswer, FunctionAnswer
+from autograder.course.formula import evaluate_formula
 from autograder.errors import CourseError, UsageError
-from autograder.formula import evaluate_formula
-from autograder.probes import load_object
+from autograder.marking.make_probe import load_object
+from autograder.marking.snapshots import SnapshotMarker, pack, unpack
 from autograder.release.bundle import release
 from autograder.release.leaks import leaks, secrets
-from autograder.sandbox.evaluate import evaluate
-from autograder.snapshots import SnapshotMarker, pack, unpack
+from autograder.sandbox.inside.evaluate import evaluate
 from tests.classroom import SECRETS, copy_course, make_course, notebook
 
 REPOSITORY = Path(__file__).parents[2]
@@ -344,10 +344,10 @@ def run_in(bundle: Path, code: str) -> str:
 
 def test_what_is_submitted_there_is_marked_here_as_it_was_meant(orchard: Course, tmp_path: Path):
     """All right, by the bundle's own code: the grader agrees in every point."""
-    from autograder.grading import grade_contents
-    from autograder.marker import Marker
+    from autograder.grading.submission import grade_contents
+    from autograder.intake.submissions import Submission, read_submission
+    from autograder.marking.marker import Marker
     from autograder.sandbox.launcher import Sandbox
-    from autograder.submissions import Submission, read_submission
 
     release(orchard, tmp_path / "bundle")
     cells = [

@@ -17,13 +17,13 @@ from typing import Any
 
 import pytest
 
-from autograder.classlist import ClassList, Student
 from autograder.course import Course, load_course
 from autograder.gradebook import Override, Record
-from autograder.release.gradescope_run import main as grade_in_gradescope
-from autograder.release.gradescope_zip import write_autograder_zip
+from autograder.intake.class_list import ClassList, Student
+from autograder.release.gradescope.package import write_autograder_zip
+from autograder.release.gradescope.results import failure, results
+from autograder.release.gradescope.run import main as grade_in_gradescope
 from autograder.reports.exports import write_canvas, write_moodle, write_plain
-from autograder.reports.gradescope import failure, results
 from tests.classroom import RIGHT, START, all_marks, graded, hostile_mark, make_course, notebook
 
 FORMULA = '=HYPERLINK("http://example.org")'
@@ -239,7 +239,7 @@ def test_the_archive_grades_a_submission_as_it_would_there(course: Course, unpac
     reference = (course.root / "orchard_reference.py").read_text()
     (unpacked / "source/course/orchard_reference.py").write_text(reference)
     done = subprocess.run(
-        [sys.executable, "-m", "autograder.release.gradescope_run", "--root", str(unpacked)],
+        [sys.executable, "-m", "autograder.release.gradescope.run", "--root", str(unpacked)],
         env={**os.environ, "PYTHONPATH": str(unpacked / "source/course")},
         cwd=unpacked,
         capture_output=True,

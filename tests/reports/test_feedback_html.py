@@ -11,8 +11,8 @@ import pytest
 
 from autograder.course import Course, load_course
 from autograder.gradebook import Override, Record
-from autograder.marker import Marker
 from autograder.marking import Mark
+from autograder.marking.marker import Marker
 from autograder.reports.feedback_html import Feedback, feedback_html
 from autograder.reports.pictures import Pictures, draw
 from tests.classroom import all_marks, graded, hostile_mark, make_course, mark

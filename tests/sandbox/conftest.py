@@ -20,7 +20,7 @@ def course(tmp_path_factory: pytest.TempPathFactory) -> Course:
         "notebooks/3_ransac.ipynb": SECRET,
         "data/__init__.py": "numbers = [1, 2, 3]\n",
         "solutions/__init__.py": "",
-        "solutions/ransac.py": f"answer = {SECRET!r}\n",
+        "solutions/ransac/fast/consensus.py": f"answer = {SECRET!r}\n",
         "solutions/answers/ransac.toml": SECRET,
         "grades/gradebook.db": SECRET,
     }.items():

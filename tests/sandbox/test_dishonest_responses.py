@@ -7,11 +7,11 @@ from pathlib import Path
 import pytest
 
 from autograder.course import Course, load_course
-from autograder.grading import grade_contents
-from autograder.marker import Marker
+from autograder.grading.submission import grade_contents
+from autograder.intake.submissions import Contents, Notebook, find_submissions, read_submission
 from autograder.marking import Mark
+from autograder.marking.marker import Marker
 from autograder.sandbox.launcher import Sandbox
-from autograder.submissions import Contents, Notebook, find_submissions, read_submission
 from tests.classroom import RIGHT, START, make_course
 
 REPOSITORY = Path(__file__).parents[2]
@@ -129,7 +129,7 @@ ROUTINES = {
     ),
     "the solution itself": (
         "def fit_line(points, weights=None):\n"
-        "    from solutions.line_fitting import fit_line\n"
+        "    from solutions.lines.line_fitting import fit_line\n"
         "    return fit_line(points, weights)",
         None,
     ),

@@ -6,11 +6,11 @@ from collections.abc import Iterator
 import pytest
 
 from autograder.course import Course, load_course
-from autograder.grading import grade_contents
-from autograder.marker import Marker
+from autograder.grading.submission import grade_contents
+from autograder.intake.submissions import Contents, Notebook
 from autograder.marking import Mark
+from autograder.marking.marker import Marker
 from autograder.sandbox.launcher import Sandbox
-from autograder.submissions import Contents, Notebook
 from tests.classroom import RIGHT, make_course
 
 QUESTIONS = """
@@ -157,7 +157,7 @@ def test_a_forged_answer_cannot_put_a_hidden_outcome_in_the_place_of_the_drawn_o
         "    if cases[0]['args'] == [[500.0]]: return {'state': 'given', 'outcomes': []}\n"
         "    outcomes = [{'value': case['args'][0]} for case in cases]\n"
         "    return {'state': 'given', 'outcomes': outcomes * 2}\n"
-        "import autograder.sandbox.notebook as notebook\n"
+        "import autograder.sandbox.inside.notebook as notebook\n"
         f"notebook.evaluate = answer\n{SCALE}"
     )
     found = marks(meadow, meadow_sandbox, code)

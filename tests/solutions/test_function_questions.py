@@ -9,11 +9,14 @@ from typing import Any
 import numpy as np
 import pytest
 
-from solutions import line_fitting, ransac, ransac_loop, ransac_probabilities
 from solutions.cases import line_fitting as line_cases
 from solutions.cases import ransac as ransac_cases
+from solutions.lines import line_fitting
 from solutions.mistakes import line_fitting as line_mistakes
 from solutions.mistakes import ransac as ransac_mistakes
+from solutions.ransac import line as ransac_loop
+from solutions.ransac import probabilities as ransac_probabilities
+from solutions.ransac.fast import consensus as ransac
 
 
 def close(case: dict, expected: Any, actual: Any) -> bool:

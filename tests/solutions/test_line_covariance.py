@@ -3,7 +3,7 @@ import math
 import numpy as np
 import pytest
 
-from solutions.line_fitting import Line, fit_line, line_covariance, point_at
+from solutions.lines.line_fitting import Line, fit_line, line_covariance, point_at
 
 SIGMA = 0.01
 LINES = [Line(2.0, 0.5), Line(3.0, -2.5), Line(0.5, math.pi / 2), Line(4.0, 3.1)]

@@ -2,8 +2,8 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from solutions import line_derivation as derivation
-from solutions.line_fitting import fit_line
+from solutions.lines import line_derivation as derivation
+from solutions.lines.line_fitting import fit_line
 
 STEPS = derivation.derive()
 

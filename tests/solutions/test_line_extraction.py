@@ -4,7 +4,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from solutions.line_extraction import (
+from solutions.lines.line_extraction import (
     Segment,
     Settings,
     sequential_ransac,
@@ -12,7 +12,7 @@ from solutions.line_extraction import (
     split_and_merge,
     split_and_merge_all,
 )
-from solutions.line_fitting import distances, fit_line, line_covariance
+from solutions.lines.line_fitting import distances, fit_line, line_covariance
 
 ANGLES = np.radians(np.linspace(-90, 89, 180))
 HALL = {"ahead": (4.0, 0.0), "left": (3.0, math.pi / 2), "right": (2.0, -math.pi / 2)}

@@ -5,8 +5,8 @@ import math
 import numpy as np
 
 import data
-from solutions.line_extraction import Settings, split_and_merge, split_and_merge_all
-from solutions.line_fitting import fit_line
+from solutions.lines.line_extraction import Settings, split_and_merge, split_and_merge_all
+from solutions.lines.line_fitting import fit_line
 
 
 def test_on_real_scans_both_forms_find_the_same_walls():

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from solutions.line_fitting import (
+from solutions.lines.line_fitting import (
     Line,
     distances,
     fit_line,

@@ -14,9 +14,9 @@ from solutions.place_recognition import (
     idf_weights,
     l1_scores,
 )
-from solutions.place_recognition import index as index_module
-from solutions.place_recognition.postings import postings_of
-from solutions.place_recognition.storage import write_arrays
+from solutions.place_recognition.fast import index as index_module
+from solutions.place_recognition.fast.postings import postings_of
+from solutions.place_recognition.fast.storage import write_arrays
 
 images = st.lists(st.lists(st.integers(0, 8), max_size=12), max_size=12)
 

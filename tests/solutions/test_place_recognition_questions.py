@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from autograder.marking.function import close
-from autograder.sandbox.wire import decode, encode
+from autograder.exchange.wire import decode, encode
+from autograder.kinds.function.marking import close
 from solutions import place_recognition
 from solutions.cases import place_recognition as made
 from solutions.mistakes import place_recognition as mistakes

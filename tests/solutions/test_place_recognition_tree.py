@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from solutions.place_recognition import VocabularyTree, descend_tree, k_means
-from solutions.place_recognition.storage import write_arrays
+from solutions.place_recognition.fast.storage import write_arrays
 
 
 def blobs(rng: np.random.Generator, centers: int = 12, each: int = 40, d: int = 16) -> np.ndarray:

@@ -17,7 +17,7 @@ from solutions.place_recognition import (
 )
 from solutions.place_recognition.fundamental_matrix import fit_fundamental, sampson_distances
 from solutions.place_recognition.verification import one_of_each_place
-from solutions.ransac import draw_samples
+from solutions.ransac.fast.consensus import draw_samples
 
 CAMERA = np.array([[500.0, 0.0, 320.0], [0.0, 500.0, 213.0], [0.0, 0.0, 1.0]])
 

@@ -9,9 +9,9 @@ import pytest
 
 from solutions.cases import planes_and_walls as cases
 from solutions.mistakes import planes_and_walls as mistakes
-from solutions.plane_loop import ransac_plane
-from solutions.ransac import ransac_plane as ransac_plane_at_once
-from solutions.wall_loop import find_walls
+from solutions.ransac.fast.consensus import ransac_plane as ransac_plane_at_once
+from solutions.ransac.plane import ransac_plane
+from solutions.ransac.walls import find_walls
 
 QUESTIONS: dict[str, tuple[Callable, Callable, Callable, list[Callable]]] = {
     "ransac_plane": (

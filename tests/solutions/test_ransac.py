@@ -4,11 +4,17 @@ import math
 import numpy as np
 import pytest
 
-from solutions import plane_loop, ransac_loop
-from solutions.line_fitting import Line, distances, fit_line, point_at
-from solutions.plane_fitting import Plane, fit_plane, plane_distances
-from solutions.ransac import draw_samples, ransac_line, ransac_plane, required_iterations
-from solutions.wall_loop import find_walls
+from solutions.lines.line_fitting import Line, distances, fit_line, point_at
+from solutions.lines.plane_fitting import Plane, fit_plane, plane_distances
+from solutions.ransac import line as ransac_loop
+from solutions.ransac import plane as plane_loop
+from solutions.ransac.fast.consensus import (
+    draw_samples,
+    ransac_line,
+    ransac_plane,
+    required_iterations,
+)
+from solutions.ransac.walls import find_walls
 
 THRESHOLD = 0.02
 

@@ -5,8 +5,8 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from solutions import ransac_exact
-from solutions.ransac import (
+from solutions.ransac import exact_probabilities as ransac_exact
+from solutions.ransac.fast.consensus import (
     candidate_count,
     outlier_model_probability,
     required_iterations,

@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 import sympy as sp
 
+from autograder.course.questions import Expression, Number, TrueFalse
 from autograder.errors import UsageError
-from autograder.questions import Expression, Number, TrueFalse
 from autograder.student.typed import read_typed, typed_cell
 
 COMMON = {"id": "Q1", "chapter": "c", "title": "t", "prompt": "p", "points": 1.0, "hints": ("h",)}

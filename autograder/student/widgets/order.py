@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from autograder.questions import Order
+from autograder.course.questions import Order
 from autograder.student.choices import in_words, read_choice
 from autograder.student.desk import Desk
 from autograder.student.widgets.base import source

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
+from autograder.course.questions import Question
 from autograder.errors import AutograderError
 from autograder.marking.mark import Mark
-from autograder.questions import Question
 from autograder.student.desk import Desk, hints_open
 from autograder.student.receipts import RECEIPT, receipt
 from autograder.student.responses import Entry, attempts

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
+from autograder.course.questions import TrueFalse
 from autograder.errors import UsageError
-from autograder.questions import TrueFalse
 from autograder.student.choices import in_words
 from autograder.student.desk import Desk
 from autograder.student.widgets.base import source

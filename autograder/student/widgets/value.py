@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
+from autograder.course.questions import Expression, Function, Number, Order, Question, TrueFalse
 from autograder.marking.mark import Mark
-from autograder.questions import Expression, Function, Number, Order, Question, TrueFalse
-from autograder.sandbox.evaluate import describe
+from autograder.sandbox.inside.evaluate import describe
 from autograder.student.desk import Desk
 from autograder.student.frontend import running_shell
 from autograder.student.responses import Entry

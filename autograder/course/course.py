@@ -1,0 +1,292 @@
+"""The course on disk: where it is, its chapters and questions, its key and its settings."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import tomllib
+from collections.abc import Callable
+from dataclasses import dataclass, fields, replace
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+from autograder.course.answers import Answer, answer_from_table
+from autograder.course.questions import Question, question_from_table
+from autograder.errors import CourseError, UsageError
+
+QUESTIONS = Path("notebooks/questions")
+ANSWERS = Path("solutions/answers")
+DEMO = "demo"  # the tag of a cell that only shows something
+_PACKAGE = Path(__file__).parents[1]
+_MARKS_NOTHING = ("authoring", "cli", "gradebook", "release", "reports")  # folders of the package
+_LARGEST_SETTING = 1_000_000  # beyond all use, and within what timers and counters can take
+_LARGE_FILE = 32 * 2**20  # bytes
+
+
+@dataclass(frozen=True)
+class Settings:
+    """The limits on student code, from ``[tool.autograder]`` in the course's pyproject.toml."""
+
+    submission_seconds: float = 600.0  # all notebooks and questions of one student together
+    notebook_seconds: float = 120.0  # all cells of one notebook together
+    cell_seconds: float = 30.0
+    question_seconds: float = 20.0
+    cpu_seconds: int = 130  # of a processor, in each process that student code runs in
+    memory_mb: int = 1024  # beyond what the libraries need
+    processes: int = 64  # threads count too
+    files: int = 5000
+    files_mb: int = 64  # what the student's code may write
+    output_mb: int = 8  # what one response may come to
+    submission_mb: int = 100
+    submission_files: int = 2000
+
+
+@dataclass(frozen=True)
+class Chapter:
+    """One notebook with its questions, in the order in which they are asked."""
+
+    name: str
+    title: str
+    questions: tuple[Question, ...]
+
+
+@dataclass(frozen=True)
+class Course:
+    """The notebooks, questions and answers under one folder, the course root."""
+
+    root: Path
+    chapters: tuple[Chapter, ...]
+    settings: Settings
+
+    @cached_property
+    def questions(self) -> dict[str, Question]:
+        """Every question by its id, in the order of the course."""
+        return {
+            question.id: question for chapter in self.chapters for question in chapter.questions
+        }
+
+    def question(self, id: str) -> Question:
+        """The question with this id.
+
+        Raises:
+            UsageError: if there is none; the sentence lists the ids that exist.
+        """
+        try:
+            return self.questions[id]
+        except (KeyError, TypeError):
+            raise UsageError(
+                f"There is no question {id!r}; this course has {', '.join(self.questions)}."
+            ) from None
+
+    def chapter(self, name: str) -> Chapter:
+        """The chapter with this name."""
+        return next(chapter for chapter in self.chapters if chapter.name == name)
+
+    @property
+    def has_key(self) -> bool:
+        """Whether the answers are at hand, as in the whole repository but not in a bundle."""
+        return (self.root / ANSWERS).is_dir()
+
+    @cached_property
+    def key(self) -> dict[str, Answer]:
+        """The answer to every question.
+
+        Raises:
+            CourseError: if an answer is missing, left over or does not fit its question.
+        """
+        if not self.has_key:
+            raise CourseError(
+                f"There is no key in {self.root / ANSWERS}; "
+                "marking needs the whole repository, not the student bundle."
+            )
+        key: dict[str, Answer] = {}
+        for chapter in self.chapters:
+            path = self.root / ANSWERS / f"{chapter.name}.toml"
+            tables = _read_toml(path, f"write the answers to {chapter.name}.toml there")
+            asked = {question.id: question for question in chapter.questions}
+            for id in asked.keys() - tables.keys():
+                raise CourseError(f"{id} has no answer; add one to {path.relative_to(self.root)}.")
+            for id in tables.keys() - asked.keys():
+                raise CourseError(
+                    f"{path.relative_to(self.root)} answers {id}, which nobody asks; "
+                    f"add the question to {QUESTIONS / path.name} or remove the answer."
+                )
+            key |= {id: answer_from_table(tables[id], asked[id]) for id in asked}
+        return key
+
+    @cached_property
+    def demo_cells(self) -> frozenset[str]:
+        """The sources of the cells that only show something, from the handed-out notebooks.
+
+        A submission that left them unchanged is graded without running them.
+        """
+        cells = [
+            cell
+            for path in (self.root / "notebooks").glob("*.ipynb")
+            for cell in json.loads(path.read_text(encoding="utf-8"))["cells"]
+            if DEMO in cell["metadata"].get("tags", ())
+        ]
+        return frozenset("".join(cell["source"]) for cell in cells)
+
+    @cached_property
+    def version(self) -> str:
+        """A fingerprint of everything that can change a mark: the key, what student code finds
+        around it, the limits on it, and the autograder.
+
+        Of files only the contents count, since a fresh checkout has other times; of a large one,
+        which no course has so far, the size and the ends.
+        """
+        digest = hashlib.sha256()
+        digest.update(f"{self.settings}\0{sorted(self.demo_cells)}\0".encode())
+        for top, folder, pattern, left_out in (
+            (self.root, QUESTIONS, "*.toml", ()),
+            (self.root, ANSWERS, "*.toml", ()),
+            (self.root, "solutions", "**/*.py", ()),
+            (self.root, "notebooks", "**/*.py", ("source",)),
+            (self.root, "data", "**/*", ()),
+            (_PACKAGE, ".", "**/*.py", _MARKS_NOTHING),
+        ):
+            for path in sorted((top / folder).glob(pattern)):
+                inside = path.relative_to(top / folder)
+                if inside.parts[0] in left_out or "__pycache__" in inside.parts:
+                    continue
+                if path.is_file():
+                    digest.update(f"{folder}/{inside.as_posix()}\0".encode())
+                    _digest_file(path, digest.update)
+        return digest.hexdigest()[:16]
+
+
+def _digest_file(path: Path, update: Callable[[bytes], object]) -> None:
+    with path.open("rb") as file:
+        size = file.seek(0, os.SEEK_END)
+        file.seek(0)
+        update(f"{size}\0".encode())
+        update(file.read(_LARGE_FILE // 2))
+        file.seek(max(_LARGE_FILE // 2, size - _LARGE_FILE // 2))
+        update(file.read(_LARGE_FILE // 2))
+
+
+def find_course_root(start: Path | None = None) -> Path:
+    """The nearest folder, from ``start`` (default: here) upwards, that holds a course.
+
+    The environment variable ``AUTOGRADER_COURSE`` names it outright.
+
+    Raises:
+        CourseError: if there is none.
+    """
+    given = os.environ.get("AUTOGRADER_COURSE")
+    if given and start is None:
+        return Path(given)
+    here = (start or Path.cwd()).resolve()
+    for folder in (here, *here.parents):
+        if (folder / QUESTIONS).is_dir():
+            return folder
+    raise CourseError(
+        f"There is no course in {here} or above it (a folder with {QUESTIONS}); "
+        "change to the course's folder, or name it with --course."
+    )
+
+
+def load_course(root: Path | None = None) -> Course:
+    """Read the questions and settings of the course at ``root`` (default: found from here).
+
+    Raises:
+        CourseError: if there is no course, a file cannot be read, or an id or a variable is used
+            twice.
+    """
+    if root is None:
+        root = find_course_root()
+    elif not (root / QUESTIONS).is_dir():
+        # Not the course of a folder above: that would hide a mistyped name.
+        raise CourseError(f"There is no course in {root}: it has no folder {QUESTIONS}.")
+    root = root.resolve()
+    chapters = []
+    for path in sorted((root / QUESTIONS).glob("*.toml"), key=_chapter_position(root)):
+        table = _read_toml(path, "write it, or remove the file")
+        unknown = table.keys() - {"title", "question"}
+        if unknown or not isinstance(table.get("title"), str):
+            raise CourseError(
+                f"{path.relative_to(root)} needs a title and [[question]] tables, nothing else."
+            )
+        entries = table.get("question", [])
+        if not (isinstance(entries, list) and all(isinstance(entry, dict) for entry in entries)):
+            raise CourseError(
+                f"{path.relative_to(root)}: each question is a table that begins with [[question]]."
+            )
+        questions = tuple(question_from_table(entry, path.stem) for entry in entries)
+        chapters.append(Chapter(path.stem, table["title"], questions))
+    if not chapters:
+        raise CourseError(f"{root / QUESTIONS} holds no questions; add a CHAPTER.toml.")
+    _reject_duplicates(chapters)
+    return Course(root, tuple(chapters), _read_settings(root))
+
+
+def _reject_duplicates(chapters: list[Chapter]) -> None:
+    placed: dict[str, str] = {}
+    for chapter in chapters:
+        stored: dict[str, str] = {}
+        file = f"{chapter.name}.toml"
+        for question in chapter.questions:
+            if question.id in placed:
+                files = " and ".join(dict.fromkeys([placed[question.id], file]))
+                raise CourseError(
+                    f"Two questions have the id {question.id} (in {files}); rename one."
+                )
+            placed[question.id] = file
+            if question.name is None:
+                continue
+            if question.name in stored:
+                raise CourseError(
+                    f"{stored[question.name]} and {question.id} in {file} both store their "
+                    f"response in {question.name!r}; rename one, or the later cell would "
+                    "overwrite the earlier."
+                )
+            stored[question.name] = question.id
+
+
+def _chapter_position(root: Path) -> Any:
+    """Sort key: the number in the master's file name, so chapters stand as in the notebooks."""
+    numbers = {
+        path.stem.partition("_")[2]: path.stem
+        for path in (root / "notebooks").glob("[0-9]*_*.ipynb")
+    } | {
+        path.stem.partition("_")[2]: path.stem
+        for path in (root / "notebooks/source").glob("[0-9]*_*.py")
+    }
+    return lambda path: numbers.get(path.stem, "~" + path.stem)
+
+
+def _read_toml(path: Path, missing: str) -> dict[str, Any]:
+    try:
+        return tomllib.loads(path.read_text(encoding="utf-8"))
+    except FileNotFoundError:
+        raise CourseError(f"{path} is missing; {missing}.") from None
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+        raise CourseError(f"{path} cannot be read: {error}.") from None
+
+
+def _read_settings(root: Path) -> Settings:
+    path = root / "pyproject.toml"
+    if not path.exists():
+        return Settings()
+    tools = _read_toml(path, "").get("tool", {})
+    table = tools.get("autograder", {}) if isinstance(tools, dict) else {}
+    where = f"[tool.autograder] in {path}"
+    if not isinstance(table, dict):
+        raise CourseError(f"{where} must be a table of settings such as memory_mb = 1024.")
+    kinds = {field.name: type(field.default) for field in fields(Settings)}
+    for name, value in table.items():
+        if name not in kinds:
+            raise CourseError(f"{where} has {name}, which is none of {', '.join(sorted(kinds))}.")
+        whole = kinds[name] is int
+        # To Python a truth value is an int; not a number is not between anything.
+        is_number = isinstance(value, int if whole else int | float) and not isinstance(value, bool)
+        if not (is_number and 0 < value <= _LARGEST_SETTING):
+            wanted = "a whole number" if whole else "a number of seconds"
+            raise CourseError(
+                f"{where} has {name} = {value!r}; "
+                f"give {wanted} above 0 and at most {_LARGEST_SETTING:,}."
+            )
+    return replace(Settings(), **table)

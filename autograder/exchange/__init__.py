@@ -1,0 +1,1 @@
+"""What crosses between trusted and untrusted processes: formats and their checks, no policy."""

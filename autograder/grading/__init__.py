@@ -1,0 +1,1 @@
+"""How one submission is graded, and what another run would change."""

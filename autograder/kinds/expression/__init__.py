@@ -1,0 +1,1 @@
+"""Expression: a formula, compared by its values."""

@@ -1,0 +1,112 @@
+"""An expression, compared by its values at hidden points. No text of a student is parsed here."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from autograder.course.answers import ExpressionAlternative, ExpressionAnswer
+from autograder.course.formula import evaluate_formula
+from autograder.course.questions import Expression
+from autograder.marking.mark import Mark, status_for
+
+Points = dict[str, NDArray[np.float64]]
+POINT_COUNT = 24
+TOLERANCE = 1e-7
+
+
+def hidden_points(answer: ExpressionAnswer, rng: np.random.Generator) -> Points:
+    """Values for every symbol, each an array of shape (2 * POINT_COUNT,).
+
+    In the second half only the symbols in ``free_of``, and what is derived from them, differ from
+    the first half: an expression that is free of them has the same values twice.
+    """
+    points: Points = {}
+    for name, (low, high) in answer.sample.items():
+        first = rng.uniform(low, high, POINT_COUNT)
+        second = rng.uniform(low, high, POINT_COUNT) if name in answer.free_of else first
+        points[name] = np.concatenate([first, second])
+    for name, formula in answer.derived.items():
+        points[name] = evaluate_formula(formula, points)
+    return points
+
+
+def mark_expression(
+    question: Expression, answer: ExpressionAnswer, points: Points, values: Any
+) -> Mark:
+    """The first alternative with the same values decides.
+
+    ``values`` are the response's values at ``points``, of any type: they come from the student's
+    process and are not trusted.
+    """
+    count = len(next(iter(points.values())))
+    known: dict[str, Any] = {"explanation": answer.explanation}
+    if not (
+        isinstance(values, np.ndarray) and values.shape == (count,) and values.dtype.kind in "fc"
+    ):
+        return Mark(
+            question.id, "wrong", 0.0, question.points, "It has no numeric values.", **known
+        )
+    if answer.free_of and not _same(values[: count // 2], values[count // 2 :]):
+        return Mark(
+            question.id,
+            "wrong",
+            0.0,
+            question.points,
+            answer.free_of_feedback or f"It still depends on {', '.join(answer.free_of)}.",
+            alternative=f"depends on {', '.join(answer.free_of)}",
+            **known,
+        )
+    for alternative in answer.alternatives:
+        if matches(alternative, points, values):
+            return Mark(
+                question.id,
+                status_for(alternative.credit),
+                alternative.credit,
+                question.points,
+                alternative.feedback or "Right.",
+                alternative=alternative.name,
+                **known,
+            )
+    return Mark(
+        question.id,
+        "wrong",
+        0.0,
+        question.points,
+        "It differs from the right expression, and from the mistakes known here. Put a simple data "
+        "set into both sides and see where they part.",
+        **known,
+    )
+
+
+def matches(
+    alternative: ExpressionAlternative, points: Points, values: NDArray[np.complex128]
+) -> bool:
+    """Whether the values are those of the alternative at the points where that is defined."""
+    count = len(next(iter(points.values())))
+    expected = np.broadcast_to(evaluate_formula(alternative.expression, points), (count,))
+    period = None
+    if alternative.modulo is not None:
+        period = float(evaluate_formula(alternative.modulo, {}))
+    return same_values(expected, values, period)
+
+
+def same_values(expected: NDArray[Any], values: NDArray[Any], period: float | None) -> bool:
+    """Whether values are the expected ones where those are defined, up to multiples of a period."""
+    defined = np.isfinite(expected)
+    if defined.sum() < len(expected) // 4:
+        return False
+    expected, values = expected[defined], values[defined]
+    if period is None:
+        return _same(expected, values)
+    difference = np.asarray(values, dtype=complex) - expected
+    turns = np.round(difference.real / period)
+    return bool(np.all(np.isfinite(turns))) and _same(expected, values - turns * period)
+
+
+def _same(expected: NDArray[Any], actual: NDArray[Any]) -> bool:
+    with np.errstate(all="ignore"):
+        scale = np.maximum(np.abs(expected), 1e-3)
+        return bool(np.all(np.abs(actual - expected) <= TOLERANCE * scale))

@@ -1,0 +1,1 @@
+"""Function: code, compared by what it returns."""

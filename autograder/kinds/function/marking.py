@@ -1,0 +1,189 @@
+"""A function, compared case by case with what the reference returns, and with known mistakes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from autograder.course.answers import FunctionAlternative, FunctionAnswer
+from autograder.course.questions import Function
+from autograder.marking.mark import Mark, Part, status_for
+from autograder.marking.shown import shown_outcome
+from autograder.sandbox.inside.evaluate import REASONS
+
+Outcome = dict[str, Any]
+Compare = Callable[[dict[str, Any], Any, Any], bool]
+
+
+@dataclass(frozen=True)
+class Expected:
+    """What the trusted side knows of a function question: cases and their right outcomes.
+
+    An outcome is ``{"value": ...}``, ``{"raised": class}`` or ``{"unusable": reason}``.
+    """
+
+    cases: Sequence[dict[str, Any]]
+    outcomes: Sequence[Outcome]
+    compare: Compare
+    mistakes: Sequence[tuple[FunctionAlternative, Sequence[Outcome]]]
+
+
+def mark_function(
+    question: Function, answer: FunctionAnswer, expected: Expected, outcomes: Any
+) -> Mark:
+    """Right on every case, or like a known mistake, or right on some kinds of input.
+
+    A response that matches no mistake earns the fraction of the kinds of input (cases of one name)
+    on which it is right. Kinds of which every case is public do not count towards it: their results
+    can be copied. ``outcomes`` come from the student's process and are not trusted.
+    """
+    if not (isinstance(outcomes, list) and len(outcomes) == len(expected.cases)):
+        outcomes = [{"unusable": "not plain"}] * len(expected.cases)
+    verdicts = [
+        agrees(expected.compare, case, right, actual)
+        for case, right, actual in zip(expected.cases, expected.outcomes, outcomes, strict=True)
+    ]
+    kinds: dict[str, list[int]] = {}
+    for index, case in enumerate(expected.cases):
+        kinds.setdefault(str(case["name"]), []).append(index)
+    parts = tuple(
+        Part(kind, all(verdicts[i] for i in indices), _what_happened(outcomes, indices))
+        for kind, indices in kinds.items()
+    )
+    # Without a picture the first case was not asked alone.
+    shown = shown_outcome(expected.cases, outcomes) if answer.picture else None
+    known: dict[str, Any] = {"parts": parts, "explanation": answer.explanation, "shown": shown}
+    if all(verdicts):
+        feedback = f"Right on all {len(kinds)} kinds of input."
+        return Mark(question.id, "right", 1.0, question.points, feedback, "right", **known)
+    for mistake, behaviour in expected.mistakes:
+        if behaves_like(expected, behaviour, outcomes, verdicts):
+            return Mark(
+                question.id,
+                status_for(mistake.credit),
+                mistake.credit,
+                question.points,
+                mistake.feedback,
+                alternative=mistake.name,
+                **known,
+            )
+    right = sum(part.right is True for part in parts)
+    hidden = [
+        part
+        for part, indices in zip(parts, kinds.values(), strict=True)
+        if not all(expected.cases[i].get("public") for i in indices)
+    ]
+    earned = sum(part.right is True for part in hidden)
+    # Rounded down, and never all: only a response that is right everywhere earns everything.
+    credit = min(0.99, int(100 * earned / len(hidden)) / 100) if hidden else 0.0
+    failing = [f"{part.label}{part.feedback}" for part in parts if not part.right]
+    feedback = (
+        f"Right on {right} of {len(parts)} kinds of input. Not yet on: " + "; ".join(failing) + "."
+    )
+    if all(isinstance(outcome, dict) and "raised" in outcome for outcome in outcomes):
+        name = _known_error(outcomes[0]["raised"])
+        feedback = f"It raises {name} on every input. Try it on a small example first."
+        return Mark(question.id, "error", 0.0, question.points, feedback, **known)
+    return Mark(question.id, status_for(credit), credit, question.points, feedback, **known)
+
+
+def behaves_like(
+    expected: Expected,
+    mistake: Sequence[Outcome],
+    outcomes: Sequence[Any],
+    verdicts: Sequence[bool],
+) -> bool:
+    """Whether outcomes are those of a mistake: wrong where it is wrong, and in the same way."""
+    for case, right, wrong, actual, verdict in zip(
+        expected.cases, expected.outcomes, mistake, outcomes, verdicts, strict=True
+    ):
+        if agrees(expected.compare, case, right, wrong) != verdict:
+            return False
+        if not verdict and not agrees(expected.compare, case, wrong, actual):
+            return False
+    return True
+
+
+def agrees(compare: Compare, case: dict[str, Any], expected: Outcome, actual: Any) -> bool:
+    """Whether an outcome counts as the expected one; anything malformed does not."""
+    if not isinstance(actual, dict):
+        return False
+    try:
+        if "value" not in expected:
+            return "value" not in actual and bool(actual == expected)
+        if "value" not in actual:
+            return False
+        return bool(compare(case, expected["value"], actual["value"]))
+    except Exception:
+        # The value is a student's and may be anything; one that compare cannot read is not equal.
+        return False
+
+
+def close(case: dict[str, Any], expected: Any, actual: Any) -> bool:
+    """The default comparison: equal structure, numbers equal to six digits."""
+    if isinstance(expected, dict):
+        return (
+            isinstance(actual, dict)
+            and expected.keys() == actual.keys()
+            and all(close(case, expected[key], actual[key]) for key in expected)
+        )
+    if isinstance(expected, str | bool) or expected is None:
+        return type(actual) is type(expected) and bool(actual == expected)
+    if isinstance(expected, list) and not _is_numeric(expected):
+        return (
+            isinstance(actual, list)
+            and len(actual) == len(expected)
+            and all(close(case, e, a) for e, a in zip(expected, actual, strict=True))
+        )
+    if isinstance(expected, int) and isinstance(actual, int):
+        return expected == actual  # exact, and of any length
+    expected, actual = _as_float(expected), _as_float(actual)
+    if not (_is_numeric(expected) and _is_numeric(actual)):
+        return False
+    right, given = np.asarray(expected), np.asarray(actual)
+    if right.shape != given.shape:
+        return False
+    if right.dtype.kind in "iub" and given.dtype.kind in "iub":
+        return bool(np.array_equal(right, given))
+    size = float(np.max(np.abs(right), initial=0.0, where=np.isfinite(right)))
+    return bool(np.allclose(given, right, rtol=1e-6, atol=1e-9 * max(size, 1e-3), equal_nan=True))
+
+
+def _as_float(value: Any) -> Any:
+    """An integer too long for NumPy as a float, if it is not too long for that."""
+    if not isinstance(value, int) or value.bit_length() < 64:
+        return value
+    try:
+        return float(value)
+    except OverflowError:
+        return value
+
+
+def _is_numeric(value: Any) -> bool:
+    try:
+        return np.asarray(value).dtype.kind in "biufc"
+    except (ValueError, OverflowError):
+        return False
+
+
+def _what_happened(outcomes: Sequence[Any], indices: Sequence[int]) -> str:
+    for index in indices:
+        outcome = outcomes[index]
+        if isinstance(outcome, dict) and "raised" in outcome:
+            return f" (it raises {_known_error(outcome['raised'])})"
+        if isinstance(outcome, dict) and "unusable" in outcome:
+            reason = outcome["unusable"]
+            known = isinstance(reason, str) and reason in REASONS
+            return f" ({REASONS[reason if known else 'not plain']})"
+    return ""
+
+
+def _known_error(name: Any) -> str:
+    """Only names that Python itself defines are repeated: any other could carry a hidden input."""
+    import builtins
+
+    known = isinstance(name, str) and (hasattr(builtins, name) or name == "LinAlgError")
+    return name if known else "an exception"

@@ -1,0 +1,1 @@
+"""Order: cards to put in the right order."""

@@ -1,0 +1,61 @@
+"""Statements called true or false."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from autograder.course.answers import TrueFalseAnswer
+from autograder.course.questions import TrueFalse
+from autograder.marking.mark import Mark, Part, not_attempted, status_for, stopped
+
+
+def mark_true_false(question: TrueFalse, answer: TrueFalseAnswer, response: Any) -> Mark:
+    """One point for each statement called right; a statement left open earns nothing.
+
+    ``response`` is a list of True, False or None (open), one for each statement.
+    """
+    if not fits_true_false(question, response):
+        return stopped(
+            question,
+            "unreadable",
+            f"The stored response is no list of {len(question.statements)} true or false.",
+        )
+    if all(said is None for said in response):
+        return not_attempted(question)
+    parts = []
+    for number, (said, key) in enumerate(zip(response, answer.statements, strict=True), 1):
+        verdict, feedback = (
+            (None, "Not answered yet.")
+            if said is None
+            else (True, "")
+            if said == key.truth
+            else (False, key.misconception)
+        )
+        explanation = f"{'True' if key.truth else 'False'}. {key.explanation}"
+        parts.append(Part(f"Statement {number}", verdict, feedback, explanation))
+    right = sum(part.right is True for part in parts)
+    credit = right / len(parts)
+    feedback = f"{right} of {len(parts)} statements right."
+    wrong = [part.label for part in parts if part.right is False]
+    if wrong:
+        feedback += " Look again at " + ", ".join(label.lower() for label in wrong) + "."
+    return Mark(
+        question.id,
+        status_for(credit),
+        credit,
+        question.points,
+        feedback,
+        alternative="right" if credit == 1 else None,
+        parts=tuple(parts),
+        explanation=answer.explanation,
+        understood=", ".join({True: "true", False: "false", None: "–"}[said] for said in response),
+    )
+
+
+def fits_true_false(question: TrueFalse, response: Any) -> bool:
+    """Whether the response is a list of True, False or None, one for each statement."""
+    return (
+        isinstance(response, list | tuple)
+        and len(response) == len(question.statements)
+        and all(said is None or isinstance(said, bool) for said in response)
+    )

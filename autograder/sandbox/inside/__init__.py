@@ -1,0 +1,1 @@
+"""What runs beside the student: started by the trusted side, believed by nobody."""

@@ -1,0 +1,244 @@
+"""The trusted process inside the sandbox: has everything imported, and forks a child per notebook.
+
+``python -m autograder.sandbox.inside.zygote DESCRIPTOR`` obeys small JSON messages on a control
+socket that student code never gets:
+
+- first ``{"set up": {...}}`` (see `SetUp`); the answer ``{"ready": true}`` comes when it is warm.
+- ``{"start": number, "limits": {...}, "seed": ...}`` with a socket: clears what an earlier child
+  left, forks a child that serves this socket, answers ``{"started": number}``.
+- ``{"end": number}``: ends the child and all it started, answers ``{"ended": number}``.
+
+If the child ends by itself or is ended for what it uses, ``{"gone": number, "why": ...}`` comes
+unasked. When the control socket closes, everything ends. No key and no hidden input is ever here.
+"""
+
+from __future__ import annotations
+
+import gc
+import json
+import os
+import select
+import shutil
+import signal
+import socket
+import sys
+import traceback
+from contextlib import suppress
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from autograder.sandbox import landlock, lockdown, seccomp
+from autograder.sandbox.inside.serve import prepare_process, serve
+from autograder.sandbox.inside.warm import warm
+from autograder.sandbox.processes import Usage, end_all_others, tasks_of
+from autograder.sandbox.removal import empty
+
+_NOT_CONFINED = 70  # exit status of a child that could not be confined: student code never ran
+_TICK = 0.05  # seconds between two looks at what the child uses
+_SIGNALS = {
+    signal.SIGSEGV: "it crashed (segmentation fault)",
+    signal.SIGBUS: "it crashed (bus error)",
+    signal.SIGFPE: "it crashed (arithmetic error)",
+    signal.SIGILL: "it crashed (illegal instruction)",
+    signal.SIGABRT: "it aborted",
+    signal.SIGXCPU: "it used too much processor time",
+    signal.SIGKILL: "it was ended by the system, as happens when memory runs out",
+}
+
+
+@dataclass(frozen=True)
+class SetUp:
+    """How this sandbox is built.
+
+    ``scratch`` is the only folder that may be written, ``readable`` what may be read,
+    ``notebooks`` the folder whose files stand in the working folder. ``identity`` is the user id
+    to change to, or 0. ``alone`` says that no process but ours can be seen or signalled,
+    ``keep_reading`` is as in `drop_rights`.
+    """
+
+    scratch: str
+    readable: list[str]
+    notebooks: str
+    identity: int
+    alone: bool
+    keep_reading: bool
+    use_landlock: bool
+    use_seccomp: bool
+
+
+class Zygote:
+    """Holds what every child starts with."""
+
+    def __init__(self, control: socket.socket) -> None:
+        self._control = control
+        self._child = 0
+        self._number = 0
+        self._wake, wake_write = os.pipe()
+        os.set_blocking(self._wake, False)
+        os.set_blocking(wake_write, False)
+        signal.set_wakeup_fd(wake_write, warn_on_full_buffer=False)
+        signal.signal(signal.SIGCHLD, lambda number, frame: None)
+
+    def set_up(self, how: SetUp) -> None:
+        """Take a lesser identity, import everything, and hide."""
+        self._how = how
+        lockdown.drop_rights(how.identity, how.keep_reading)
+        if not how.alone:
+            lockdown.adopt_orphans()
+        with suppress(OSError):  # under memory pressure the kernel takes these first
+            Path("/proc/self/oom_score_adj").write_text("1000")
+        self._work = Path(how.scratch) / "work"
+        self._sweep()
+        _bring_font_list(self._work)
+        os.chdir(self._work / "notebooks")
+        self._notebook = warm(with_course=True)
+        gc.freeze()  # the collector would write into every page and so copy it in each fork
+        self._filter = (
+            seccomp.build_filter(refuse_thread_signals=not landlock.confines_signals())
+            if how.use_seccomp
+            else None
+        )
+        lockdown.hide_memory()
+        self._usage = Usage(self._work, how.alone)
+
+    def serve(self) -> None:
+        """Obey until the control socket closes."""
+        poll = select.poll()
+        poll.register(self._control, select.POLLIN)
+        poll.register(self._wake, select.POLLIN)
+        while True:
+            poll.poll(_TICK * 1000 if self._child else None)
+            with suppress(BlockingIOError):
+                while os.read(self._wake, 4096):
+                    pass
+            self._reap()
+            if self._child:
+                self._look_at_usage()
+            ready, _, _ = select.select([self._control], [], [], 0)
+            if ready and not self._obey():
+                break
+        self._sweep()
+
+    def _obey(self) -> bool:
+        data, descriptors, _, _ = socket.recv_fds(self._control, 2**16, 1)
+        if not data:
+            return False
+        message = json.loads(data)
+        if "set up" in message:
+            self.set_up(SetUp(**message["set up"]))
+            self._say({"ready": True})
+        elif "start" in message:
+            self._sweep()
+            self._start(message, descriptors[0])
+            self._say({"started": self._number})
+        elif "end" in message:
+            self._sweep()
+            self._say({"ended": message["end"]})
+        return True
+
+    def _start(self, message: dict[str, Any], descriptor: int) -> None:
+        limits = lockdown.Limits(**message["limits"])
+        if not self._how.alone and not self._how.identity:  # as the instructor, who runs more
+            limits = limits.beside(tasks_of(os.getuid()))
+        self._number = message["start"]
+        self._usage.begin(message["usage"])
+        child = os.fork()
+        if child:
+            os.close(descriptor)
+            self._child = child
+            return
+        try:
+            self._become_child(limits, message["seed"], descriptor)
+        except BaseException:
+            os.write(2, traceback.format_exc().encode())
+        finally:
+            os._exit(_NOT_CONFINED)
+
+    def _become_child(self, limits: lockdown.Limits, seed: int, descriptor: int) -> None:
+        how = self._how
+        lockdown.close_other_descriptors(0, 1, 2, descriptor)
+        prepare_process(seed)
+        lockdown.die_with_parent()
+        lockdown.show_memory()
+        os.chdir(self._work / "notebooks")
+        sys.path.insert(0, "")
+        ruleset = (
+            landlock.Ruleset(
+                readable=[*how.readable, "/dev/urandom", "/dev/random"],
+                changeable=[how.scratch, "/dev/null"],
+            )
+            if how.use_landlock
+            else None
+        )
+        lockdown.limit_resources(limits)
+        lockdown.confine(ruleset, self._filter)
+        nothing = os.open(os.devnull, os.O_WRONLY)
+        os.dup2(nothing, 2)
+        os.close(nothing)
+        serve(socket.socket(fileno=descriptor), self._notebook)
+
+    def _reap(self) -> None:
+        """Collect ended processes; say so if the child was among them."""
+        with suppress(ChildProcessError):
+            while True:
+                process, status = os.waitpid(-1, os.WNOHANG)
+                if process == 0:
+                    return
+                if process == self._child:
+                    self._child = 0
+                    self._say({"gone": self._number, "why": _why(status)})
+
+    def _look_at_usage(self) -> None:
+        why = self._usage.excess()
+        if why:
+            self._sweep()
+            self._say({"gone": self._number, "why": why})
+
+    def _sweep(self) -> None:
+        """End every process that is left and empty the scratch folder."""
+        end_all_others(everything=self._how.alone or bool(self._how.identity))
+        self._child = 0
+        os.chdir("/")
+        empty(Path(self._how.scratch))
+        for folder in ("notebooks", "responses", "tmp"):
+            (self._work / folder).mkdir(parents=True)
+        notebooks = Path(self._how.notebooks)
+        for entry in sorted(notebooks.iterdir()) if notebooks.is_dir() else ():
+            (self._work / "notebooks" / entry.name).symlink_to(entry)
+        data = notebooks.parent / "data"
+        if data.is_dir():
+            (self._work / "data").symlink_to(data)
+
+    def _say(self, message: dict[str, Any]) -> None:
+        with suppress(OSError):  # the grader has gone; the closed socket ends the loop
+            self._control.send(json.dumps(message).encode())
+
+
+def _why(status: int) -> str:
+    if os.WIFSIGNALED(status):
+        number = os.WTERMSIG(status)
+        return _SIGNALS.get(signal.Signals(number), f"it ended by signal {number}")
+    if os.WEXITSTATUS(status) == _NOT_CONFINED:
+        return "it could not be confined"
+    return "it ended its own process"
+
+
+def _bring_font_list(work: Path) -> None:
+    """Copy matplotlib's list of fonts, which takes a second to make, to where it looks for it."""
+    cache = os.environ.get("AUTOGRADER_FONT_LIST")
+    target = Path(os.environ["MPLCONFIGDIR"])
+    target.mkdir(parents=True, exist_ok=True)
+    for path in Path(cache).glob("fontlist-*.json") if cache else ():
+        with suppress(OSError):
+            shutil.copy(path, target)
+
+
+def main() -> None:
+    """Obey the control socket whose descriptor is the first argument."""
+    gc.disable()  # what is imported stays: looking through it for garbage is for nothing
+    Zygote(socket.socket(fileno=int(sys.argv[1]))).serve()
+
+
+if __name__ == "__main__":
+    main()

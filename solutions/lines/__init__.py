@@ -1,0 +1,1 @@
+"""Lines: fitting them to points, and extracting them from laser scans."""

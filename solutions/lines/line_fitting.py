@@ -1,0 +1,114 @@
+"""The line that is closest to a set of points, by total least squares.
+
+A line is kept in polar form (the sheet's equation 1), so that vertical walls are as easy as
+all others, and the distances are measured at right angles to the line.
+
+Source of the closed form: the sheet's question 2.2, derived step by step in
+`solutions.lines.line_derivation`; atan2 in place of its plain arctan picks the minimum.
+"""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+
+class Line(NamedTuple):
+    """A line x cos(alpha) + y sin(alpha) = r."""
+
+    r: float  # m, distance from the origin, never negative
+    alpha: float  # rad, direction of the normal, in (-pi, pi]
+
+
+def fit_line(points: np.ndarray, weights: np.ndarray | None = None) -> Line:
+    """Return the line with the least sum of squared distances to the points.
+
+    `points` is an (N, 2) array of x and y in metres; `weights` are N numbers >= 0 that
+    multiply the squared distances (all 1 if not given). The result has r >= 0 and
+    -pi < alpha <= pi. It is as exact for points 1000 km from the origin as near it.
+
+    Raises ValueError if the points do not determine a line: fewer than two different
+    points, or a cloud that is equally wide in all directions. The same for points that are
+    not finite, and for weights that are negative or all zero.
+    """
+    points = np.asarray(points, dtype=float)
+    if points.ndim != 2 or points.shape[1] != 2 or len(points) < 2:
+        raise ValueError(f"A line needs an (N, 2) array of two points or more, not {points.shape}.")
+    if not np.isfinite(points).all():
+        raise ValueError("No line: some coordinates are not finite; remove those points.")
+    N = len(points)
+    weights = np.ones(N) if weights is None else np.asarray(weights, dtype=float)
+    if weights.shape != (N,) or weights.min() < 0 or not 0 < weights.sum() < math.inf:
+        raise ValueError(f"The weights must be {N} finite numbers >= 0, not all of them 0.")
+
+    # Sums of centred coordinates: squares of large coordinates would lose their last digits.
+    W = weights.sum()
+    center = weights @ points / W
+    dx, dy = (points - center).T
+    S_xx, S_xy, S_yy = weights @ (dx * dx), weights @ (dx * dy), weights @ (dy * dy)
+
+    # R says how much longer than wide the cloud is. With R = 0 every direction fits as well.
+    R = math.hypot(S_yy - S_xx, 2 * S_xy)
+    size = math.sqrt((S_xx + S_yy) / W)
+    rounding = 2e-15 * (size + math.hypot(*center))  # of the coordinates, in float64
+    if not W * size * rounding < R:
+        raise ValueError("No line: the points are all equal, or equally wide in all directions.")
+
+    # atan2 keeps the quadrant, which makes this the minimum; arctan may give the maximum.
+    alpha = 0.5 * math.atan2(-2 * S_xy, S_yy - S_xx)
+    r = float(center @ [math.cos(alpha), math.sin(alpha)])
+    if r < 0:  # the same line, with its normal turned round
+        r, alpha = -r, alpha + math.pi
+    if alpha > math.pi:
+        alpha -= 2 * math.pi
+    return Line(r, alpha)
+
+
+def line_covariance(
+    points: np.ndarray, sigma: float | np.ndarray, weights: np.ndarray | None = None
+) -> np.ndarray:
+    """Return the (2, 2) covariance of (r, alpha) of the fitted line, in m², m rad and rad².
+
+    `sigma` is the standard deviation of the points' coordinates in metres, the same in all
+    directions: one number, or one for each point. `weights` are those of `fit_line`. To first
+    order in sigma: right as long as sigma is small against the length of the cloud.
+    """
+    points = np.asarray(points, dtype=float)
+    alpha = fit_line(points, weights).alpha
+    weights = np.ones(len(points)) if weights is None else np.asarray(weights, dtype=float)
+    center = np.average(points, axis=0, weights=weights)
+
+    # Coordinates across and along the line, from the centre.
+    normal = np.array([math.cos(alpha), math.sin(alpha)])
+    along = np.array([-math.sin(alpha), math.cos(alpha)])
+    a, b = (points - center) @ normal, (points - center) @ along
+
+    # alpha solves sum(weights a b) = 0: its derivative by each point's x and y is (N, 2).
+    d_alpha = -weights[:, None] * (np.outer(b, normal) + np.outer(a, along))
+    d_alpha /= np.sum(weights * (b * b - a * a))
+    # r = normal . center: the centre moves, and the normal turns under it.
+    d_r = np.outer(weights / weights.sum(), normal) + (along @ center) * d_alpha
+
+    jacobian = np.stack([d_r, d_alpha]) * np.broadcast_to(sigma, len(points))[:, None]
+    return np.einsum("inx,jnx->ij", jacobian, jacobian)
+
+
+def distances(points: np.ndarray, line: Line) -> np.ndarray:
+    """Return the N signed distances in metres, positive on the side that the normal points to."""
+    return points @ [math.cos(line.alpha), math.sin(line.alpha)] - line.r
+
+
+def positions_along(points: np.ndarray, line: Line) -> np.ndarray:
+    """Return how far each point's foot lies along the line, in metres.
+
+    Zero is the point of the line that is closest to the origin; positive is to the left of
+    the normal.
+    """
+    return points @ [-math.sin(line.alpha), math.cos(line.alpha)]
+
+
+def point_at(position: float | np.ndarray, line: Line) -> np.ndarray:
+    """Return the point, or the (N, 2) points, at a position along the line."""
+    normal = np.array([math.cos(line.alpha), math.sin(line.alpha)])
+    along = np.array([-math.sin(line.alpha), math.cos(line.alpha)])
+    return line.r * normal + np.multiply.outer(position, along)

@@ -1,0 +1,142 @@
+"""A laser scan as points, and what line extraction starts from: unbroken runs of them."""
+
+import math
+from dataclasses import dataclass, fields
+from typing import NamedTuple
+
+import numpy as np
+
+from solutions.lines.line_fitting import (
+    Line,
+    distances,
+    line_covariance,
+    point_at,
+    positions_along,
+)
+
+
+@dataclass(frozen=True)
+class Settings:
+    """What counts as a wall. The defaults suit a SICK scanner with centimetre noise."""
+
+    sigma: float = 0.01  # m, standard deviation of a point
+    split_distance: float = 0.06  # m, a point this far from the chord is a corner
+    roughness: float = 0.02  # m, largest root mean square distance from a wall
+    min_points: int = 8
+    min_length: float = 0.6  # m
+    min_radius: float = 15.0  # m, what bends more is a round thing
+    # Neighbours that meet at an angle between these two are pieces of a round thing.
+    straight_angle: float = math.radians(8.0)
+    corner_angle: float = math.radians(30.0)
+    max_range: float = 49.0  # m, at or beyond: no echo
+    grazing_angle: float = math.radians(10.0)  # a wall seen at a smaller angle is broken up
+
+    def __post_init__(self) -> None:
+        if self.min_points < 2:
+            raise ValueError(f"A wall needs two points: min_points={self.min_points} is too few.")
+        for field in fields(self):
+            if not getattr(self, field.name) >= 0:
+                raise ValueError(f"The setting {field.name} must be a number, and not negative.")
+
+    @property
+    def min_neighbour_points(self) -> int:
+        """How many points a piece needs to show that its neighbour is part of a round thing."""
+        return max(2, self.min_points // 2)
+
+
+class Segment(NamedTuple):
+    """A piece of a wall."""
+
+    line: Line
+    start: np.ndarray  # (2,) m, the foot of the first inlier on the line
+    end: np.ndarray  # (2,) m, the foot of the last inlier
+    covariance: np.ndarray  # (2, 2), of (r, alpha)
+    inliers: np.ndarray  # indices of the beams, ascending
+
+
+def is_echo(ranges: np.ndarray, settings: Settings) -> np.ndarray:
+    """Return where `ranges` (metres, any shape) holds a distance: finite, positive, in range."""
+    with np.errstate(invalid="ignore"):
+        return (ranges > 0) & (ranges < settings.max_range)
+
+
+def scan_points(
+    ranges: np.ndarray, angles: np.ndarray, settings: Settings
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return the echoes of one scan as (N, 2) points in metres, and the N beams they are from."""
+    ranges, angles = np.asarray(ranges, dtype=float), np.asarray(angles, dtype=float)
+    if ranges.ndim != 1 or ranges.shape != angles.shape:
+        raise ValueError(
+            f"One scan needs as many ranges as angles, not {ranges.shape} and {angles.shape}."
+        )
+    beams = np.flatnonzero(is_echo(ranges, settings))
+    ranges, angles = ranges[beams], angles[beams]
+    return np.column_stack([ranges * np.cos(angles), ranges * np.sin(angles)]), beams
+
+
+def check_angles(angles: np.ndarray) -> None:
+    """Raise ValueError unless the beams turn to the left, as gaps and corners are looked for."""
+    if not (np.diff(angles) > 0).all():
+        raise ValueError("The angles must grow from beam to beam: turn ranges and angles round.")
+
+
+def breaks(
+    points: np.ndarray, ranges: np.ndarray, angles: np.ndarray, settings: Settings
+) -> np.ndarray:
+    """Return for each of the N - 1 neighbouring pairs whether there is a gap between them.
+
+    The gap that is still allowed grows with the range: it is what a wall shows that the beam
+    meets at the grazing angle (Borges and Aldon, Line Extraction in 2D Range Images for
+    Mobile Robotics, 2004).
+    """
+    step = np.diff(angles)
+    nearer = np.minimum(ranges[:-1], ranges[1:])
+    beyond = np.maximum(np.sin(settings.grazing_angle - step), 1e-9)
+    allowed = nearer * np.sin(step) / beyond + 3 * settings.sigma
+    gap = np.hypot(*np.diff(points, axis=0).T)
+    return (gap > allowed) | (step >= settings.grazing_angle)
+
+
+def is_wall(points: np.ndarray, line: Line, settings: Settings) -> bool:
+    """Tell whether ordered points with their fitted line are many, long and straight enough."""
+    start, end = positions_along(points[[0, -1]], line)
+    distance = distances(points, line)
+    quarter = len(points) // 4
+    middle = distance[quarter : len(points) - quarter].mean()
+    return bool(
+        len(points) >= settings.min_points
+        and abs(end - start) >= settings.min_length
+        and math.sqrt(np.mean(distance**2)) <= settings.roughness
+        and not is_curved(len(points), abs(end - start), middle, settings)
+    )
+
+
+def is_curved(
+    N: np.ndarray | int,
+    length: np.ndarray | float,
+    middle: np.ndarray | float,
+    settings: Settings,
+) -> np.ndarray | bool:
+    """Tell whether N points along `length` metres bend too much for a wall.
+
+    `middle` is the mean distance of the middle half of the points from the line. With
+    the outer half on the other side it is a quarter of an arc's height, length² / 8 radius.
+    A bend that noise may have made does not count.
+    """
+    height = 4 * np.abs(middle)
+    by_chance = 3 * 4 * settings.sigma / np.sqrt(N)
+    return (height > by_chance) & (8 * height * settings.min_radius > length**2)
+
+
+def is_bend(
+    alpha: np.ndarray | float, next_alpha: np.ndarray | float, settings: Settings
+) -> np.ndarray | bool:
+    """Tell whether neighbouring lines meet at too small an angle for a corner of two walls."""
+    turn = np.abs(np.remainder(next_alpha - alpha + math.pi / 2, math.pi) - math.pi / 2)
+    return (turn > settings.straight_angle) & (turn < settings.corner_angle)
+
+
+def make_segment(points: np.ndarray, beams: np.ndarray, line: Line, settings: Settings) -> Segment:
+    """Return the segment of a line between the feet of its first and its last point."""
+    start, end = point_at(positions_along(points[[0, -1]], line), line)
+    return Segment(line, start, end, line_covariance(points, settings.sigma), beams)

@@ -1,0 +1,1 @@
+"""A vocabulary tree and a database of images that grow large."""

@@ -1,0 +1,1 @@
+"""RANSAC: lines, planes and walls as the course explains them, and the probabilities."""

@@ -1,0 +1,1 @@
+"""The same with all hypotheses in one matrix product."""

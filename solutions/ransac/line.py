@@ -1,0 +1,37 @@
+"""RANSAC as the course explains it: one hypothesis after the other.
+
+`solutions.ransac.fast.consensus.ransac_line` is the same algorithm with all hypotheses in one
+matrix product.
+"""
+
+import numpy as np
+
+from solutions.lines.line_fitting import Line, distances, fit_line
+
+
+def ransac_line(
+    points: np.ndarray, threshold: float, iterations: int, rng: np.random.Generator
+) -> tuple[Line, np.ndarray]:
+    """Return the line that most points agree with, and the sorted indices of these points.
+
+    `points` is an (N, 2) array in metres. Each of the `iterations` samples is a pair of two
+    different points, drawn with `rng`; its line is the hypothesis, and a point agrees if it
+    is at most `threshold` metres away, on either side. The line of the largest consensus set
+    is fitted again, with least squares, to all points of that set; the indices returned are
+    those of the points within the threshold of this last line.
+
+    Raises ValueError if no sample gave a line, as when all points are equal.
+    """
+    best = np.array([], dtype=int)
+    for _ in range(iterations):
+        pair = rng.choice(len(points), size=2, replace=False)
+        if np.array_equal(*points[pair]):  # equal points are on many lines
+            continue
+        hypothesis = fit_line(points[pair])
+        agreeing = np.flatnonzero(np.abs(distances(points, hypothesis)) <= threshold)
+        if len(agreeing) > len(best):
+            best = agreeing
+    if len(best) == 0:
+        raise ValueError("No line: no sample had two different points.")
+    line = fit_line(points[best])
+    return line, np.flatnonzero(np.abs(distances(points, line)) <= threshold)
