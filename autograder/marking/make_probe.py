@@ -54,7 +54,7 @@ def make_probe(question: q.Question, answer: a.Answer, seed: int, root: Path) ->
 
 
 def load_object(dotted_name: str, root: Path) -> Callable[..., Any]:
-    """The function that a dotted name such as ``solutions.ransac.line:ransac_line`` stands for.
+    """The function that a dotted name such as ``solutions.module:function`` stands for.
 
     This is the only way by which the autograder reaches a course's own code.
 
