@@ -16,7 +16,7 @@ from urllib.parse import unquote_to_bytes
 from autograder.errors import UsageError
 from autograder.gradebook.record import Note, Override, Record
 from autograder.gradebook.schema import connect, readable_errors
-from autograder.grading.submission import Graded
+from autograder.grading.graded import Graded
 from autograder.intake.submissions import Submission
 from autograder.marking import Mark
 
