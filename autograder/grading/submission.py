@@ -14,7 +14,7 @@ from queue import SimpleQueue
 from typing import Any
 
 from autograder.course import Chapter, Course
-from autograder.course.questions import Order, Question, TrueFalse
+from autograder.course.questions import Question
 from autograder.errors import AutograderError
 from autograder.exchange.replies import NOT_PLAIN
 from autograder.intake.submissions import (
@@ -24,11 +24,11 @@ from autograder.intake.submissions import (
     Unreadable,
     read_submission,
 )
+from autograder.kinds.registry import kind_of
 from autograder.marking import Mark, not_attempted, stopped
 from autograder.marking.marker import Marker
 from autograder.marking.probe import Probe
 from autograder.sandbox.launcher import Isolation, Sandbox, Session, Stopped
-from autograder.student.typed import typed_cell
 
 
 @dataclass(frozen=True)
@@ -264,7 +264,8 @@ def _grade_chapter(
     }
     # What was typed into a field counts where the notebook itself assigns nothing.
     kept = {**notebook.receipts, **given}
-    typed = {q.id: cell for q in asked if (cell := typed_cell(q, kept.get(q.id))) is not None}
+    fillings = {q.id: kind_of(q).typed_cell(q, kept.get(q.id)) for q in asked}
+    typed = {id: cell for id, cell in fillings.items() if cell is not None}
     cells += typed.values()
     with sandbox.session(deadline) as session:
         names = [question.name for question in asked if question.name]
@@ -281,7 +282,7 @@ def _grade_chapter(
         understood = _dictionary(report.get("understood"))
 
         def mark_without_asking(question: Question) -> Mark | None:
-            is_choice = isinstance(question, TrueFalse | Order)
+            is_choice = question.name is None
             choice = responses.get(question.id) if is_choice else None
             if choice is not None:
                 return marker.mark(question.id, choice)
