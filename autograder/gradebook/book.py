@@ -14,7 +14,7 @@ from typing import Any
 from autograder.errors import UsageError
 from autograder.gradebook.record import Note, Override, Record
 from autograder.gradebook.schema import connect, readable_errors
-from autograder.grading.submission import Graded
+from autograder.grading.graded import Graded
 from autograder.intake.origin import Origin, path_from_text, path_to_text
 from autograder.intake.submissions import Submission
 from autograder.marking import Mark

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from autograder.grading.submission import Graded
+from autograder.grading.graded import Graded
 from autograder.intake.origin import Origin
 from autograder.marking import Mark
 

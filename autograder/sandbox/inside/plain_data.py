@@ -23,10 +23,10 @@ class Unusable(Exception):
 
 
 def public_name(error: BaseException) -> str:
-    """The class of an exception if Python or NumPy defines it: a name that can carry no secret."""
-    name = type(error).__name__
-    if getattr(builtins, name, None) is type(error) or name == "LinAlgError":
-        return name
+    """The nearest class of an exception that Python or NumPy defines: a name without secrets."""
+    for kind in type(error).__mro__:
+        if getattr(builtins, kind.__name__, None) is kind or kind.__name__ == "LinAlgError":
+            return kind.__name__
     return "Exception"
 
 
