@@ -21,7 +21,7 @@ class Question:
     """One thing asked.
 
     ``id`` is stable (``Q3.2.1``), ``prompt`` and ``hints`` are Markdown, ``points`` is what a
-    right response earns.
+    right response earns; 0 if it is there for practice only.
     """
 
     kind: ClassVar[str]
@@ -189,8 +189,8 @@ def question_from_table(table: dict[str, Any], chapter: str) -> Question:
         return TrueFalse(**common, points=float(len(statements)), statements=statements)
 
     points = float(take("points", (int, float)))
-    if not 0 < points < float("inf"):
-        raise CourseError(f"{where}: points must be a positive number.")
+    if not 0 <= points < float("inf"):
+        raise CourseError(f"{where}: points must be a number of at least 0 (0: it is ungraded).")
     common["points"] = points
     if kind == "order":
         cards = take("cards", list)
