@@ -71,8 +71,8 @@ class DaskCluster:
     def __enter__(self) -> DaskCluster:
         return self
 
-    def __exit__(self, kind: type[BaseException] | None, *exception: object) -> None:
-        if self._client is not None and kind is None:
+    def __exit__(self, *exception: object) -> None:
+        if self._client is not None and exception[0] is None:
             with suppress(Exception):  # a courtesy: a later run opens them again
                 self._client.run(rest, self._wanted.name)
         self._sent.clear()
@@ -126,10 +126,13 @@ class DaskCluster:
             [], loop=self._client.loop, with_results=True, raise_errors=False
         )
         with gone_in_one_sentence(self._address):
-            # What keeps single workers from holding it is found out by asking each of them.
-            with suppress(Exception):
-                self._client.register_plugin(GradingPlugin(self._wanted), idempotent=True)
             self._crew = Crew(self._client, self._wanted.name, self._tell)
+            try:
+                self._client.register_plugin(GradingPlugin(self._wanted))
+            except Exception:
+                # One worker that cannot even load it is enough; the others hold it nevertheless.
+                if not self._crew.has_unable():
+                    raise
             self._crew.wait_for_first()
 
     def _send(self, sent: _Sent) -> None:
@@ -196,9 +199,9 @@ class DaskCluster:
             self._suspects.append(replace(sent, attempt=sent.attempt + 1, alone=True))
             return []
         said = (
-            f"Grading this submission ended the process that graded it, {error.allowed_failures + 1} "
-            "times while nothing else was graded; the points say nothing about the work. Mark it "
-            "by hand, and report the failure."
+            f"Grading this submission ended its worker {error.allowed_failures + 1} times while "
+            "nothing else was graded; the points say nothing about the work. Mark it by hand, and "
+            "report the failure."
         )
         contents = sent.task.contents
         marks = same_mark_for_all(self._marker.course, "killed", said, self._questions)

@@ -48,7 +48,9 @@ class Crew:
 
     @property
     def isolation(self) -> str:
-        """What keeps student code in on the workers, each kind with those that have it."""
+        """What keeps student code in on the workers; if kinds differ, with those that have them."""
+        if len(self._worked) == 1:
+            return next(iter(self._worked))
         return "; ".join(f"{text} ({_named(who)})" for text, who in sorted(self._worked.items()))
 
     def describe(self) -> str:
@@ -79,6 +81,11 @@ class Crew:
                     else "The workers do not get ready; look at what they print."
                 )
             time.sleep(0.1)
+
+    def has_unable(self) -> bool:
+        """Whether a worker cannot load this autograder at all."""
+        answers = self._client.run(proof, self._plugin, on_error="return")
+        return any(_member(answer).state == "refused" for answer in answers.values())
 
     def look_after(self, at_once: bool = False) -> None:
         """See who has come and gone, now and then.
