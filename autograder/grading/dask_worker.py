@@ -19,7 +19,7 @@ from pathlib import Path
 from queue import Empty, SimpleQueue
 from typing import Any
 
-from distributed import Reschedule, Worker, WorkerPlugin, get_worker
+from distributed import Reschedule, Status, Worker, WorkerPlugin, get_worker
 
 from autograder.course import Course, load_course
 from autograder.course.course import find_course_root
@@ -84,6 +84,10 @@ class GradingPlugin(WorkerPlugin):
         else:
             self.state = "ready"
             await worker.set_resources(**{self.name: worker.state.nthreads})
+            # Only a worker that becomes free makes the scheduler look at tasks that wait for one.
+            if worker.status == Status.running:
+                worker.status = Status.paused
+                worker.status = Status.running
 
     async def teardown(self, worker: Worker) -> None:
         if self.state == "ready":
@@ -126,7 +130,11 @@ class GradingPlugin(WorkerPlugin):
         """Take no more work: this machine fails, and another may not."""
         self._refuse(reason)
         worker = get_worker()
-        worker.loop.add_callback(worker.set_resources, **{self.name: 0})
+        # The scheduler alone is told: what waits here already would never come back otherwise.
+        resources = {**worker.state.total_resources, self.name: 0}
+        worker.loop.add_callback(
+            worker.scheduler.set_resources, resources=resources, worker=worker.contact_address
+        )
 
 
 class Slots:
