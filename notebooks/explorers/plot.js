@@ -64,7 +64,8 @@ function chooser(name, options, chosen, changed) {
   for (const [value, text] of options) select.append(make("option", { value }, text));
   select.value = chosen;
   const row = make("label", { class: "ex-row" }, make("span", {}, name), select);
-  return { row, get: () => Number(select.value), text: () => select.selectedOptions[0].text };
+  const set = (value) => void (select.value = value);
+  return { row, set, get: () => Number(select.value), text: () => select.selectedOptions[0].text };
 }
 
 function button(text, pressed) {

@@ -5,7 +5,17 @@ from typing import Any
 import numpy as np
 
 from notebooks.figures.consensus import _band, _frame, _votes
-from notebooks.figures.style import BLUE, GREY, ORANGE, draw_line, figure, plan, quiet, show
+from notebooks.figures.style import (
+    BLUE,
+    GREY,
+    ORANGE,
+    VERMILLION,
+    draw_line,
+    figure,
+    plan,
+    quiet,
+    show,
+)
 
 
 def ransac_steps(points: np.ndarray, run: Any, threshold: float) -> None:
@@ -36,3 +46,59 @@ def ransac_steps(points: np.ndarray, run: Any, threshold: float) -> None:
         f"{len(points)} points in its band. With this share of inliers, {run.asked[-1]} samples "
         f"are asked for; after the first sample it was {run.asked[0]}.",
     )
+
+
+def cloud_views(points: np.ndarray) -> None:
+    """Draw points, of which the last is an outlier, their cost over r and alpha, and over alpha."""
+    fig = figure(8, 3.2)
+    scene, space, cost = fig.subplots(1, 3)
+    centre = points.mean(axis=0)
+    normals = np.linalg.svd(points - centre)[2][::-1]  # the valley's, then the hill's
+    stationary = [_half_turn(normal, centre) for normal in normals]
+    valley, hill = stationary
+
+    plan(scene, f"normal at {np.degrees(valley[1]):.0f}°")
+    _frame(scene, points, margin=0.8)
+    draw_line(scene, *valley, color="black", linewidth=1.5)
+    scene.plot(*points[:-1].T, "o", color=BLUE)
+    scene.plot(*points[-1:].T, "s", color=VERMILLION)
+
+    reach = np.ceil(np.hypot(*points.T).max() + 0.5)
+    angles, radii = np.radians(np.linspace(-90, 90, 181)), np.linspace(-reach, reach, 121)
+    across = points @ [np.cos(angles), np.sin(angles)]  # shape (N, 181): each point's curve
+    costs = ((radii[:, np.newaxis, np.newaxis] - across) ** 2).sum(axis=1)
+    extent = (-90.0, 90.0, float(-reach), float(reach))
+    space.imshow(np.log(costs + 0.01), origin="lower", extent=extent, aspect="auto", cmap="viridis")
+    space.plot(np.degrees(angles), across.T, color="white", linewidth=0.8)
+    space.set_ylim(-reach, reach)
+    space.set_ylabel("distance r [m]")
+
+    best = ((across - across.mean(axis=0)) ** 2).sum(axis=0)
+    cost.plot(np.degrees(angles), best, color=BLUE)
+    cost.set_ylabel("cost S [m²], best r")
+    quiet(cost)
+    for axes, height in ((space, lambda line: line[0]), (cost, lambda line: _cost(points, line))):
+        axes.set_xlabel("angle α [°]")
+        axes.set_xticks([-90, -45, 0, 45, 90])
+        for line, marker in zip(stationary, "o^", strict=True):
+            axes.plot(
+                np.degrees(line[1]), height(line), marker, color=VERMILLION, mec="white", ms=9
+            )
+    show(
+        fig,
+        f"{len(points)} points, one of them an outlier, in three views. The cost is least at "
+        f"r = {valley[0]:.2f} m, α = {np.degrees(valley[1]):.0f}° (circle), where S is "
+        f"{_cost(points, valley):.3g} m². The other stationary angle, "
+        f"{np.degrees(hill[1]):.0f}° (triangle), is the hill.",
+    )
+
+
+def _half_turn(normal: np.ndarray, point: np.ndarray) -> tuple[float, float]:
+    """Return r and alpha of the line through a point, alpha within a quarter turn from 0."""
+    normal = normal if normal[0] > 0 or (normal[0] == 0 and normal[1] > 0) else -normal
+    return float(point @ normal), float(np.arctan2(normal[1], normal[0]))
+
+
+def _cost(points: np.ndarray, line: tuple[float, float]) -> float:
+    r, alpha = line
+    return float(((points @ [np.cos(alpha), np.sin(alpha)] - r) ** 2).sum())

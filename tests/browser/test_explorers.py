@@ -108,3 +108,59 @@ def test_the_steps_fit_into_the_window(steps: Page, width: int):
     steps.set_viewport_size({"width": width, "height": 900})
     steps.get_by_role("button", name="Run: 74 samples").click()
     assert steps.evaluate("document.documentElement.scrollWidth") <= width
+
+
+CROSS = [[0.0, 1.0], [2.0, 1.0], [4.0, 1.0], [6.0, 1.0], [3.0, 4.0]]
+
+
+@pytest.fixture
+def cloud(browser: Browser) -> Iterator[Page]:
+    """Four points of the wall y = 1, and an outlier 3 m above their middle."""
+    page = open_page(browser, "cloud.js", {"points": CROSS})
+    yield page
+    page.close()
+
+
+def drag(page: Page, mark: str, across: float, up: float) -> None:
+    box = page.locator(mark).first.bounding_box()
+    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+    page.mouse.move(x, y)
+    page.mouse.down()
+    page.mouse.move(x + across, y - up, steps=5)
+    page.mouse.up()
+
+
+def test_the_first_line_is_the_one_that_a_hand_calculation_gives(cloud: Page):
+    # The mean of y is 1.6: S = 4 * 0.36 + 5.76, and S_xx = 9 + 1 + 1 + 9.
+    result = cloud.locator(".ex-result")
+    expect(result).to_contain_text("r = 1.60 m, α = 90°, S = 7.20 m²")
+    expect(result).to_contain_text("S_xx = 20.00, S_yy = 7.20 m²")
+    expect(result).to_contain_text("the plain arctan finds the hill")
+    expect(result).to_contain_text("Consensus: α = 90°, by 4 of 5 points")
+
+
+def test_least_squares_follows_the_outlier_and_the_consensus_does_not(cloud: Page):
+    drag(cloud, ".ex-outlier", 60, 40)
+    result = cloud.locator(".ex-result")
+    expect(result).not_to_contain_text("S = 7.20 m²")
+    expect(result).not_to_contain_text("m, α = 90°")
+    expect(result).to_contain_text("Consensus: α = 90°, by 4 of 5 points")
+
+
+def test_the_plain_arctan_jumps_when_the_cloud_is_turned_by_keys(cloud: Page):
+    cloud.get_by_label("its y").fill("1")  # the outlier lies down among the others
+    turn = cloud.get_by_label("turn the cloud by")
+    turn.fill("44")
+    expect(cloud.locator(".ex-result")).to_contain_text("the plain arctan finds the hill")
+    turn.focus()
+    for _ in range(26):
+        cloud.keyboard.press("ArrowRight")
+    expect(cloud.locator(".ex-result")).to_contain_text("the plain arctan finds the valley too")
+
+
+def test_the_cloud_has_names_for_everything_and_fits_into_narrow_windows(cloud: Page):
+    found = Axe().run(cloud, options={"rules": {"page-has-heading-one": {"enabled": False}}})
+    assert [violation["id"] for violation in found.response["violations"]] == []
+    assert cloud.get_by_role("img").count() == 4
+    cloud.set_viewport_size({"width": 390, "height": 900})
+    assert cloud.evaluate("document.documentElement.scrollWidth") <= 390

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from notebooks.explorers import explore_polar_line, explore_ransac_steps
+from notebooks.explorers import explore_cloud, explore_polar_line, explore_ransac_steps
 from notebooks.explorers.still import ransac_run, samples_asked_for
 
 LINE = np.column_stack([np.arange(10.0), np.zeros(10)])
@@ -43,3 +43,9 @@ def test_the_samples_asked_for_are_the_fewest_that_are_enough(share):
 @pytest.mark.parametrize("answer", [..., None, 0, -3, 1001, 2.5, "74"])
 def test_an_answer_that_is_no_number_of_samples_does_not_stop_the_explorer(answer):
     assert "10 points" in repr(explore_ransac_steps(LINE, answer))
+
+
+def test_a_cloud_with_an_outlier_can_be_explored_and_nothing_else():
+    assert "11 points" in repr(explore_cloud(LINE, (4, 2)))
+    with pytest.raises(ValueError, match="explore_cloud needs finite points"):
+        explore_cloud(LINE, (4, math.inf))

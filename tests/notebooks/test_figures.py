@@ -48,6 +48,7 @@ def rng() -> np.random.Generator:
 
 
 PLAIN = {
+    "cloud_views": lambda: figures.cloud_views(POINTS),
     "ransac_steps": lambda: figures.ransac_steps(POINTS, ransac_run(POINTS, 0.05, 10, 1), 0.05),
     "steep_walls": lambda: figures.steep_walls(POINTS - POINTS.mean(axis=0)),
     "polar_line": lambda: figures.polar_line(2.0, -2.0),
