@@ -14,7 +14,9 @@ from autograder.cli.status import DONE
 from autograder.course import Course
 from autograder.gradebook import Gradebook, Record, Run
 from autograder.grading.changes import Change, changes
-from autograder.grading.submission import Graded, grade_all
+from autograder.grading.graded import Graded
+from autograder.grading.threads import Threads
+from autograder.grading.whole_class import grade_class
 from autograder.intake.class_list import handed_in_at
 from autograder.intake.submissions import Submission
 from autograder.marking.marker import Marker
@@ -59,7 +61,8 @@ def grade_and_report(
                 book.store(entry, run, whole=questions is None)
             progress.advance(task)
 
-        grade_all(submissions, marker, jobs, done, questions, known, isolation)
+        with Threads(marker, jobs, questions, isolation) as spread:
+            grade_class(submissions, course, spread, done, questions, known)
     changed = changes(before, graded)
     if parsed.dry_run:
         _tell_dry_run(parsed, console, before, changed, len(graded))

@@ -66,10 +66,16 @@ def clean_text(text: Any, limit: int = _MAX_TEXT) -> str:
 
 def _outcome(entry: Any) -> dict[str, Any]:
     entry = _dictionary(entry)
-    if len(entry) == 1:
+    if "value" in entry:
+        if entry.keys() <= {"value", "changed", "drawn"} and _is_bounded(entry["value"]):
+            clean = {"value": entry["value"]}
+            if "changed" in entry:
+                clean["changed"] = True
+            if type(entry.get("drawn")) is int:
+                clean["drawn"] = entry["drawn"]
+            return clean
+    elif len(entry) == 1:
         ((kind, value),) = entry.items()
-        if kind == "value" and _is_bounded(value):
-            return {"value": value}
         if kind == "raised":
             return {"raised": _public_name(value)}
         if kind == "unusable" and _is_reason(value):

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
 import sqlite3
 from collections.abc import Collection, Iterator, Mapping
 from contextlib import contextmanager
@@ -11,12 +10,12 @@ from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
-from urllib.parse import unquote_to_bytes
 
 from autograder.errors import UsageError
 from autograder.gradebook.record import Note, Override, Record
 from autograder.gradebook.schema import connect, readable_errors
-from autograder.grading.submission import Graded
+from autograder.grading.graded import Graded
+from autograder.intake.origin import Origin, path_from_text, path_to_text
 from autograder.intake.submissions import Submission
 from autograder.marking import Mark
 
@@ -112,19 +111,21 @@ class Gradebook:
             if whole:
                 db.execute("DELETE FROM mark WHERE student = ?", (graded.submission.student,))
             db.execute(
-                "INSERT INTO submission (student, path, fingerprint, status, notes, run, seconds) "
-                "VALUES (?, ?, ?, ?, ?, ?, ?) ON CONFLICT (student) DO UPDATE "
+                "INSERT INTO submission "
+                "(student, path, fingerprint, status, notes, run, seconds, origin) "
+                "VALUES (?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT (student) DO UPDATE "
                 "SET path = excluded.path, fingerprint = excluded.fingerprint, "
                 "status = excluded.status, notes = excluded.notes, run = excluded.run, "
-                "seconds = excluded.seconds",
+                "seconds = excluded.seconds, origin = excluded.origin",
                 (
                     graded.submission.student,
-                    _path_to_text(graded.submission.path),
+                    path_to_text(graded.submission.path),
                     graded.fingerprint,
                     graded.status,
                     json.dumps(graded.notes),
                     run.id,
                     graded.seconds,
+                    json.dumps(graded.submission.origin.to_dict()),
                 ),
             )
             db.executemany(
@@ -140,7 +141,7 @@ class Gradebook:
     ) -> Graded | None:
         """What was graded before: the same work, in the same run, with a mark for each question."""
         rows = self._rows(
-            "SELECT path, status, notes, seconds FROM submission "
+            "SELECT path, status, notes, seconds, origin FROM submission "
             "WHERE student = ? AND fingerprint = ? AND run = ? AND status = 'graded'",
             (student, fingerprint, run.id),
         )
@@ -149,9 +150,9 @@ class Gradebook:
         )
         if not rows or not {question for (question,) in marked} >= set(questions):
             return None
-        path, status, notes, seconds = rows[0]
+        path, status, notes, seconds, origin = rows[0]
         marks = self._marks("WHERE student = ?", (student,))[student]
-        submission = Submission(student, _path_from_text(path))
+        submission = Submission(student, path_from_text(path), origin=_origin(origin))
         return Graded(submission, status, fingerprint, marks, tuple(json.loads(notes)), seconds)
 
     def records(self) -> list[Record]:
@@ -191,10 +192,15 @@ class Gradebook:
         notes: dict[str, list[Note]] = {}
         for row in self._rows("SELECT student, text, made_at FROM note ORDER BY id"):
             notes.setdefault(row[0], []).append(Note(*row))
+        rows = self._rows(
+            "SELECT student, path, fingerprint, status, notes, submission.seconds, origin, run, "
+            "seed, handed_in, late_days, late_percent, isolation "
+            "FROM submission JOIN run ON run.id = submission.run ORDER BY student"
+        )
         return [
             Record(
                 Graded(
-                    Submission(student, _path_from_text(path)),
+                    Submission(student, path_from_text(path), origin=_origin(origin)),
                     status,
                     fingerprint,
                     marks.get(student, ()),
@@ -207,11 +213,7 @@ class Gradebook:
                 tuple(notes.get(student, ())),
                 *late,
             )
-            for student, path, fingerprint, status, odd, seconds, run, seed, *late in self._rows(
-                "SELECT student, path, fingerprint, status, notes, submission.seconds, run, seed, "
-                "handed_in, late_days, late_percent, isolation "
-                "FROM submission JOIN run ON run.id = submission.run ORDER BY student"
-            )
+            for student, path, fingerprint, status, odd, seconds, origin, run, seed, *late in rows
         ]
 
     def _marks(self, where: str = "", values: tuple[Any, ...] = ()) -> dict[str, tuple[Mark, ...]]:
@@ -272,15 +274,5 @@ def _now() -> str:
     return datetime.now(UTC).isoformat(timespec="seconds")
 
 
-def _path_to_text(path: Path) -> str:
-    try:
-        str(path).encode()
-    except UnicodeEncodeError:  # a name that is no UTF-8, which SQLite would refuse
-        return path.as_uri()
-    return str(path)
-
-
-def _path_from_text(text: str) -> Path:
-    if text.startswith("file://"):
-        return Path(os.fsdecode(unquote_to_bytes(text.removeprefix("file://"))))
-    return Path(text)
+def _origin(text: str) -> Origin:
+    return Origin.from_dict(json.loads(text))

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from autograder.grading.submission import Graded
+from autograder.grading.graded import Graded
+from autograder.intake.origin import Origin
 from autograder.marking import Mark
 
 
@@ -51,6 +52,11 @@ class Record:
     def student(self) -> str:
         """The student, as the submission is called."""
         return self.graded.submission.student
+
+    @property
+    def origin(self) -> Origin:
+        """What the download said of it: layout, whose, when, which attempt."""
+        return self.graded.submission.origin
 
     @property
     def marks(self) -> dict[str, Mark]:

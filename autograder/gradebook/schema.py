@@ -64,6 +64,10 @@ CREATE TABLE note (
 ) STRICT;
 CREATE TABLE setting (name TEXT PRIMARY KEY, value TEXT NOT NULL) STRICT;
 """,
+    """
+-- JSON, as Origin.to_dict: layout, whose it says it is, when it was handed in, its pieces
+ALTER TABLE submission ADD COLUMN origin TEXT NOT NULL DEFAULT '{}';
+""",
 )
 SCHEMA_VERSION = len(_STEPS)
 

@@ -31,35 +31,18 @@ or ``name`` it is called, or whose number or name stands where Canvas and Moodle
 from __future__ import annotations
 
 import math
-import re
 import tomllib
-from dataclasses import dataclass, fields
+from collections.abc import Mapping
+from dataclasses import dataclass, field, fields
 from datetime import UTC, datetime, timedelta, tzinfo
 from pathlib import Path
 from typing import Any
 from zoneinfo import ZoneInfo, ZoneInfoNotFoundError
 
 from autograder.errors import CourseError
-
-# lovelaceada_LATE_98765_1234_submission.zip
-_CANVAS = re.compile(r"^[^_]+_(?:LATE_)?(?P<id>\d+)_\d+(?:_|$)")
-# Ada Lovelace_1234_assignsubmission_file
-_MOODLE = re.compile(r"^(?P<name>.+)_\d+_assignsubmission_")
-
-
-@dataclass(frozen=True)
-class Student:
-    """One student, as the learning system knows them; what is not known is empty."""
-
-    name: str
-    id: str = ""
-    sis_id: str = ""
-    login: str = ""
-    email: str = ""
-    section: str = ""
-    submission: str = ""
-    extension_days: float = 0.0
-    handed_in: datetime | None = None
+from autograder.intake.matching import Match, match_all
+from autograder.intake.origin import Origin
+from autograder.intake.person import Person
 
 
 @dataclass(frozen=True)
@@ -87,32 +70,26 @@ class LatePolicy:
 class ClassList:
     """Who is in the class, what the assignment is called, and what lateness costs."""
 
-    students: tuple[Student, ...] = ()
+    students: tuple[Person, ...] = ()
     title: str = "Autograder"
     canvas_id: str = ""
     late: LatePolicy | None = None
+    settled: Mapping[str, str] = field(default_factory=dict)
 
-    def find(self, submission: str) -> Student | None:
-        """The student to whom a submission of this name belongs."""
-        called = submission.casefold()
-        for name in ("submission", "login", "email", "id", "sis_id", "name"):
-            for student in self.students:
-                if called and getattr(student, name).casefold() == called:
-                    return student
-        canvas, moodle = _CANVAS.match(submission), _MOODLE.match(submission)
-        for student in self.students:
-            if canvas and student.id == canvas["id"]:
-                return student
-            if moodle and student.name.casefold() == moodle["name"].casefold():
-                return student
-        return None
+    def match_all(self, origins: Mapping[str, Origin]) -> dict[str, Match]:
+        """Whose each submission is, by the student's key; see `autograder.intake.matching`."""
+        return match_all(self.students, origins, self.settled)
+
+    def find(self, submission: str) -> Person | None:
+        """The student to whom a submission of this name belongs, if that is certain."""
+        return self.match_all({submission: Origin()})[submission].person
 
     def lateness(self, submission: str, found: datetime | None) -> tuple[str | None, int, float]:
         """When it was handed in (UTC), the days late, and the percent they cost.
 
         ``found`` is the time of the file; a time in the class list goes before.
         """
-        student = self.find(submission) or Student(submission)
+        student = self.find(submission) or Person(submission)
         handed_in = student.handed_in or found
         if handed_in is None:
             return None, 0, 0.0
@@ -171,10 +148,10 @@ def _policy(late: dict[str, Any], zone: tzinfo | None, path: Path) -> LatePolicy
     )
 
 
-def _students(entries: Any, zone: tzinfo | None, path: Path) -> tuple[Student, ...]:
+def _students(entries: Any, zone: tzinfo | None, path: Path) -> tuple[Person, ...]:
     if not isinstance(entries, list) or not all(isinstance(entry, dict) for entry in entries):
         raise CourseError(f"{path}: write each student as a [[student]] table.")
-    known = {field.name for field in fields(Student)}
+    known = {known.name for known in fields(Person)}
     students = []
     taken: dict[str, str] = {}
     for entry in entries:
@@ -190,7 +167,7 @@ def _students(entries: Any, zone: tzinfo | None, path: Path) -> tuple[Student, .
         values["extension_days"] = _number(entry, "extension_days", 0, path)
         if "handed_in" in entry:
             values["handed_in"] = _time(entry["handed_in"], zone, f"handed_in of {where}")
-        student = Student(**values)
+        student = Person(**values)
         for key in ("submission", "login", "email", "id", "sis_id"):
             called = getattr(student, key).casefold()
             if called and taken.setdefault(called, student.name) != student.name:

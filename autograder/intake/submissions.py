@@ -24,6 +24,7 @@ from autograder.intake.notebook_reader import (
     parse_json,
     read_notebook,
 )
+from autograder.intake.origin import Origin, Piece
 
 __all__ = [
     "Contents",
@@ -44,11 +45,21 @@ _MAX_STEM = 255  # what a file system allows; a zip may claim 65,535
 
 @dataclass(frozen=True)
 class Submission:
-    """What one student handed in: a zip, a folder or one notebook, at ``path``."""
+    """What one student handed in: a zip, a folder or one notebook, at ``path``.
+
+    ``student`` is the key in the gradebook; ``origin`` says what the download tells about whose it
+    is, when it was handed in, and which pieces it has if it is not all at ``path``.
+    """
 
     student: str
     path: Path
     notes: tuple[str, ...] = ()
+    origin: Origin = field(default_factory=Origin)
+
+    @property
+    def pieces(self) -> tuple[Piece, ...]:
+        """Everything that belongs to it."""
+        return self.origin.pieces or (Piece(self.path),)
 
 
 @dataclass(frozen=True)

@@ -119,8 +119,8 @@ def forgives(expected: Expected, index: int) -> bool:
     if "value" not in outcome:
         return False
     return any(
-        not agrees(close, expected.cases[index], outcome, {"value": variant})
-        and agrees(expected.compare, expected.cases[index], outcome, {"value": variant})
+        not agrees(close, expected.cases[index], outcome, {**outcome, "value": variant})
+        and agrees(expected.compare, expected.cases[index], outcome, {**outcome, "value": variant})
         for variant in _variants(outcome["value"])
     )
 

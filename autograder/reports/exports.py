@@ -13,26 +13,27 @@ from pathlib import Path
 
 from autograder.course import Course
 from autograder.gradebook.record import Record
-from autograder.intake.class_list import ClassList, Student
+from autograder.intake.class_list import ClassList
+from autograder.intake.person import Person
 from autograder.reports.files import write_csv
 from autograder.reports.machine import most_points
 
 
 def match(
     class_list: ClassList, records: Sequence[Record]
-) -> tuple[list[tuple[Student, Record | None]], list[Record]]:
+) -> tuple[list[tuple[Person, Record | None]], list[Record]]:
     """Each student of the class with the work handed in, and the work that is nobody's.
 
-    Of several submissions of one student the first by name counts; the others are nobody's.
+    Whose it is must be certain: of several submissions that fit one student none counts.
     """
-    found: dict[Student, Record] = {}
+    matches = class_list.match_all({record.student: record.origin for record in records})
+    found: dict[Person, Record] = {}
     left = []
     for record in records:
-        student = class_list.find(record.student)
-        if student is None or student in found:
+        people = matches[record.student].people
+        found |= dict.fromkeys(people, record)
+        if not people:
             left.append(record)
-        else:
-            found[student] = record
     return [(student, found.get(student)) for student in class_list.students], left
 
 
@@ -86,9 +87,9 @@ def write_plain(
     header = ["submission", "name", "id", "sis_id", "login", "email", "section", *course.questions]
     header += ["earned", "late_days", "late_deduction", "total", "max", "status", "handed_in"]
     rows: list[list[object]] = [list(header)]
-    nobodys: list[tuple[Student | None, Record | None]] = [(None, record) for record in left]
+    nobodys: list[tuple[Person | None, Record | None]] = [(None, record) for record in left]
     for student, record in [*pairs, *nobodys]:
-        person = student or Student("")
+        person = student or Person("")
         row: list[object] = [record.student if record else None]
         row += [person.name, person.id, person.sis_id, person.login, person.email, person.section]
         row += [record.points(id) if record else None for id in course.questions]

@@ -152,7 +152,9 @@ def test_arguments_are_fresh_in_every_case(marker):
 
     sent = marker.probe("Q1.5").sent
     before = [list(case["args"][0]) for case in sent["cases"]]
-    assert mark(marker, spoils).status == "right"
+    verdict = mark(marker, spoils)
+    assert verdict.parts[0].right  # no weights: nothing to change
+    assert all("changes its input" in part.feedback for part in verdict.parts[1:])
     assert [case["args"][0] for case in sent["cases"]] == before
 
 

@@ -118,4 +118,4 @@ def test_a_random_generator_as_an_argument_is_the_same_for_both_sides(tiny_cours
     ready = probe(tiny_course.load(), "Q1.5", 1)
     assert ready.sent["cases"][0]["args"] == [{"rng": 7}]
     expected = int(np.random.default_rng(7).integers(1, 7))
-    assert ready.expected.outcomes == [{"value": expected}]
+    assert ready.expected.outcomes == [{"value": expected, "drawn": 1}]

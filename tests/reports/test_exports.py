@@ -19,7 +19,8 @@ import pytest
 
 from autograder.course import Course, load_course
 from autograder.gradebook import Override, Record
-from autograder.intake.class_list import ClassList, Student
+from autograder.intake.class_list import ClassList
+from autograder.intake.person import Person
 from autograder.release.gradescope.package import write_autograder_zip
 from autograder.release.gradescope.results import failure, results
 from autograder.release.gradescope.run import main as grade_in_gradescope
@@ -38,10 +39,10 @@ def course(tmp_path_factory: pytest.TempPathFactory) -> Course:
 def listed() -> ClassList:
     return ClassList(
         (
-            Student("Ada Lovelace", "11", "S-1", "ada", "ada@example.org", "A"),
-            Student("George Boole", "12", "S-2", "boole", "boole@example.org", "B"),
-            Student(FORMULA, "13", "S-3", "eve", "eve@example.org", "@B"),
-            Student("Nobody There", "14", "S-4", "absent", "absent@example.org", "B"),
+            Person("Ada Lovelace", "11", "S-1", "ada", "ada@example.org", "A"),
+            Person("George Boole", "12", "S-2", "boole", "boole@example.org", "B"),
+            Person(FORMULA, "13", "S-3", "eve", "eve@example.org", "@B"),
+            Person("Nobody There", "14", "S-4", "absent", "absent@example.org", "B"),
         ),
         title="Orchard",
         canvas_id="4711",

@@ -8,6 +8,10 @@ answer. What comes back is one of::
     {"state": "unusable", "reason": ..} one of REASONS
     {"state": "raised", "error": ..}    the class of the exception, never its text
 
+An outcome of a function is {"value": ..}, {"unusable": ..} or {"raised": ..}. With a value comes
+"changed": true if an argument was changed in place, and "drawn", how many random numbers were
+taken, if an argument was a generator of them.
+
 The trusted side decides what it is worth. The same code serves the grader's sandbox and a
 student's own notebook.
 """
@@ -23,6 +27,7 @@ from typing import Any
 import numpy as np
 
 from autograder.exchange.wire import MAX_DEPTH
+from autograder.sandbox.inside.counted_draws import CountedDraws
 from autograder.sandbox.inside.expression_values import values_at
 
 REASONS = {
@@ -61,10 +66,10 @@ def evaluate(response: Any, probe: dict[str, Any]) -> dict[str, Any]:
 
 
 def public_name(error: BaseException) -> str:
-    """The class of an exception if Python or NumPy defines it: a name that can carry no secret."""
-    name = type(error).__name__
-    if getattr(builtins, name, None) is type(error) or name == "LinAlgError":
-        return name
+    """The nearest class of an exception that Python or NumPy defines: a name without secrets."""
+    for kind in type(error).__mro__:
+        if getattr(builtins, kind.__name__, None) is kind or kind.__name__ == "LinAlgError":
+            return kind.__name__
     return "Exception"
 
 
@@ -193,7 +198,14 @@ def _function(response: Any, probe: dict[str, Any]) -> dict[str, Any]:
         arguments = [_argument(argument) for argument in case["args"]]
         keywords = {name: _argument(value) for name, value in case.get("kwargs", {}).items()}
         try:
-            outcomes.append({"value": to_plain(response(*arguments, **keywords))})
+            outcome = {"value": to_plain(response(*arguments, **keywords))}
+            given = [*arguments, *keywords.values()]
+            if not _same(given, [*case["args"], *case.get("kwargs", {}).values()]):
+                outcome["changed"] = True
+            generators = [value for value in given if isinstance(value, CountedDraws)]
+            if generators:
+                outcome["drawn"] = sum(generator.drawn for generator in generators)
+            outcomes.append(outcome)
         except NotImplementedError:
             raise
         except _Unusable as unusable:
@@ -209,11 +221,30 @@ def _argument(value: Any) -> Any:
         return value.copy()
     if isinstance(value, dict):
         if value.keys() == {"rng"}:
-            return np.random.default_rng(value["rng"])
+            return CountedDraws(value["rng"])
         return {key: _argument(entry) for key, entry in value.items()}
     if isinstance(value, list):
         return [_argument(entry) for entry in value]
     return value
+
+
+def _same(given: Any, sent: Any) -> bool:
+    """Whether an argument is still what was sent; a generator may have been used."""
+    if isinstance(sent, np.ndarray):
+        # Compared as bytes: NaN is equal to itself, and a zero that lost its sign is not.
+        return isinstance(given, np.ndarray) and (
+            (given.dtype, given.shape) == (sent.dtype, sent.shape)
+            and given.tobytes() == sent.tobytes()
+        )
+    if type(given) is CountedDraws:
+        return True
+    if isinstance(sent, list):
+        same_length = isinstance(given, list) and len(given) == len(sent)
+        return same_length and all(map(_same, given, sent))
+    if isinstance(sent, dict):
+        same_keys = isinstance(given, dict) and given.keys() == sent.keys()
+        return same_keys and all(_same(given[key], sent[key]) for key in sent)
+    return bool(given is sent or given == sent or sent != sent)
 
 
 def to_plain(value: Any, depth: int = 0) -> Any:
