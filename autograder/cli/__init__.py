@@ -19,6 +19,7 @@ from autograder.cli import (
     check,
     doctor,
     export,
+    feedback,
     grade,
     note,
     override,
@@ -34,7 +35,7 @@ __all__ = ["BROKEN", "DONE", "WRONG_USAGE", "main"]
 
 _COMMANDS = (
     *(grade, regrade, show, override, note),
-    *(export, similar, release),
+    *(export, feedback, similar, release),
     *(check, build, doctor),
 )
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import getpass
 import json
 import os
 from pathlib import Path
@@ -79,6 +80,16 @@ def add_grading(command: argparse.ArgumentParser) -> None:
     add_json(command)
 
 
+def add_author(command: argparse.ArgumentParser) -> None:
+    """Who decides: kept beside the decision, so that two can share the work."""
+    command.add_argument(
+        "--author",
+        default=os.environ.get("AUTOGRADER_AUTHOR") or _user(),
+        metavar="NAME",
+        help="who decides this (default: AUTOGRADER_AUTHOR, or your login here)",
+    )
+
+
 def add_class_list(command: argparse.ArgumentParser) -> None:
     """Who is in the class."""
     command.add_argument(
@@ -111,6 +122,13 @@ def find_class_list(parsed: argparse.Namespace, book: Gradebook) -> ClassList:
 def print_json(value: Any) -> None:
     """Write JSON to standard output; other characters than ASCII are escaped."""
     print(json.dumps(value, indent=1))
+
+
+def _user() -> str:
+    try:
+        return getpass.getuser()
+    except (OSError, KeyError, ImportError):  # no such user in the system, as in a container
+        return ""
 
 
 def _positive(text: str) -> int:

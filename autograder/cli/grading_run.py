@@ -12,7 +12,7 @@ from rich.console import Console
 from autograder.cli.common import find_class_list, print_json
 from autograder.cli.status import DONE
 from autograder.course import Course
-from autograder.gradebook import Gradebook, Record, Run
+from autograder.gradebook import Gradebook, Record, Run, view_class
 from autograder.grading.changes import Change, changes
 from autograder.grading.dask_address import parse_address
 from autograder.grading.graded import Graded
@@ -98,9 +98,13 @@ def grade_and_report(
             for submission in submissions
         }
     )
-    options = Options(parsed.out, students)
+    options = Options(parsed.out, students, class_list)
     written = write_reports(course, book, options, console)
-    records = [record for record in book.records() if record.student in students]
+    records = [
+        record
+        for record in view_class(course, book, class_list).records
+        if record.student in students
+    ]
     if parsed.json:
         print_json(
             {

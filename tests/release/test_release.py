@@ -11,6 +11,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from packaging.requirements import Requirement
 
 from autograder.course import Course, load_course
 from autograder.course.answers import ExpressionAnswer, FunctionAnswer
@@ -133,12 +134,24 @@ def test_a_folder_that_holds_something_is_never_written_to(orchard: Course, tmp_
 
 def test_students_install_what_notebooks_need_and_no_more(bundle: Path):
     table = tomllib.loads((bundle / "pyproject.toml").read_text())
-    names = " ".join(table["project"]["dependencies"])
-    for needed in ("jupyterlab", "numpy", "sympy", "matplotlib", "anywidget", "filelock"):
+    names = {entry.partition(">")[0] for entry in table["project"]["dependencies"]}
+    for needed in ("numpy", "sympy", "matplotlib", "anywidget", "filelock"):
         assert needed in names
-    for unwanted in ("nbval", "jupytext", "rich"):
+    for unwanted in ("nbval", "jupytext", "jupyterlab", "ipykernel", "course-autograder"):
         assert unwanted not in names
+    lab = table["project"]["optional-dependencies"]["lab"]
+    assert any(entry.startswith("jupyterlab>") for entry in lab)
     assert "scripts" not in table["project"]
+
+
+def test_a_hosted_kernel_is_not_replaced(bundle: Path):
+    """Colab brings IPython 7.34 and ipykernel 6.17, and restarts its kernel for no student."""
+    table = tomllib.loads((bundle / "pyproject.toml").read_text())
+    for entry in table["project"]["dependencies"]:
+        requirement = Requirement(entry)
+        theirs = {"ipython": "7.34.0", "ipykernel": "6.17.1", "numpy": "2.0.2"}
+        if requirement.name in theirs:
+            assert requirement.specifier.contains(theirs[requirement.name]), entry
 
 
 # The checks in the bundle
