@@ -15,10 +15,12 @@ from pathlib import Path
 from rich.console import Console
 
 from autograder.cli import (
+    adjust,
     build,
     check,
     doctor,
     export,
+    feedback,
     grade,
     note,
     override,
@@ -34,7 +36,7 @@ __all__ = ["BROKEN", "DONE", "WRONG_USAGE", "main"]
 
 _COMMANDS = (
     *(grade, regrade, show, override, note),
-    *(export, similar, release),
+    *(adjust, export, feedback, similar, release),
     *(check, build, doctor),
 )
 

@@ -63,8 +63,8 @@ class Table:
     def points(self) -> float:
         """What the question is worth."""
         points = float(self.take("points", (int, float)))
-        if not 0 < points < float("inf"):
-            raise self.error("points must be a positive number")
+        if not 0 <= points < float("inf"):
+            raise self.error("points must be a number of at least 0 (0: it is ungraded)")
         return points
 
     def groups(self, key: str, default: Any = ...) -> tuple[tuple[str, ...], ...]:

@@ -73,7 +73,7 @@ QUESTION_MISTAKES: dict[str, tuple[str, str, tuple[str, ...]]] = {
     "a blank title": ('title = "Eggs"', 'title = "  "', ("Q1.3", "title")),
     "points that are text": ("points = 2", 'points = "2"', ("Q1.3", "points")),
     "points that are a truth value": ("points = 2", "points = true", ("Q1.3", "points")),
-    "no points": ("points = 2", "points = 0", ("Q1.3", "points")),
+    "fewer points than none": ("points = 2", "points = -1", ("Q1.3", "points")),
     "negative points": ("points = 2", "points = -2", ("Q1.3", "points")),
     "infinite points": ("points = 2", "points = inf", ("Q1.3", "points")),
     "points that are no number": ("points = 2", "points = nan", ("Q1.3", "points")),
@@ -145,7 +145,7 @@ def test_any_field_of_a_wrong_type_is_a_course_error_or_harmless(kind):
         for value in wrong:
             table = copy.deepcopy(TABLES[kind]) | {field: value}
             with contextlib.suppress(CourseError):
-                assert question_from_table(table, "kitchen").points > 0
+                assert question_from_table(table, "kitchen").points >= 0
 
 
 FILE_MISTAKES = {
