@@ -11,7 +11,8 @@ class Question:
     """One thing asked.
 
     ``id`` is stable (``Q3.2.1``), ``prompt`` and ``hints`` are Markdown, ``points`` is what a
-    right response earns; 0 if it is there for practice only. ``kind`` is the name of the kind's folder.
+    right response earns; 0 if it is there for practice only. ``kind`` is the name of the kind's
+    folder.
     """
 
     kind: ClassVar[str]
