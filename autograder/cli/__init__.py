@@ -17,10 +17,12 @@ from rich.console import Console
 
 from autograder import __version__
 from autograder.cli import (
+    adjust,
     build,
     check,
     doctor,
     export,
+    feedback,
     grade,
     note,
     override,
@@ -36,7 +38,7 @@ __all__ = ["BROKEN", "DONE", "WRONG_USAGE", "main"]
 
 _COMMANDS = (
     *(grade, regrade, show, override, note),
-    *(export, similar, release),
+    *(adjust, export, feedback, similar, release),
     *(check, build, doctor),
 )
 
