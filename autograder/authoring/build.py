@@ -19,9 +19,9 @@ from nbclient.exceptions import CellExecutionError
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
 
 from autograder.authoring.masters import Master, MasterCell, read_masters
-from autograder.authoring.stubs import exercise_cells
 from autograder.course import DEMO, Course
 from autograder.errors import CourseError
+from autograder.kinds.registry import kind_of
 
 STUDENT = Path("notebooks")
 SOLVED = Path("solutions/notebooks")
@@ -116,7 +116,7 @@ def _assemble(course: Course, master: Master, solved: bool) -> Any:
             notebook.cells.append(make(cell.source, id=_cell_id(cell, taken), metadata=metadata))
             continue
         question = course.question(cell.exercise)
-        exercise = exercise_cells(course, question)
+        exercise = kind_of(question).exercise(question, course.key[question.id], course.root)
         slug = question.id.replace(".", "-")
         notebook.cells.append(new_markdown_cell(exercise.heading, id=f"{slug}-question"))
         source = exercise.solved if solved else exercise.stub

@@ -15,6 +15,7 @@ from pathlib import Path
 from rich.console import Console
 
 from autograder.cli import (
+    adjust,
     build,
     check,
     doctor,
@@ -35,7 +36,7 @@ __all__ = ["BROKEN", "DONE", "WRONG_USAGE", "main"]
 
 _COMMANDS = (
     *(grade, regrade, show, override, note),
-    *(export, feedback, similar, release),
+    *(adjust, export, feedback, similar, release),
     *(check, build, doctor),
 )
 

@@ -53,6 +53,11 @@ def add_grading(command: argparse.ArgumentParser) -> None:
         "--jobs", type=_positive, default=os.cpu_count() or 1, metavar="N", help="how many at once"
     )
     command.add_argument(
+        "--cluster",
+        metavar="ADDRESS",
+        help="grade on a Dask cluster: a scheduler such as tcp://lab-1:8786, or local:N workers",
+    )
+    command.add_argument(
         "--question", action="append", metavar="ID", help="mark only this question (repeatable)"
     )
     command.add_argument(

@@ -15,6 +15,7 @@ from typing import Any
 from autograder.course.answers import Answer, answer_from_table
 from autograder.course.questions import Question, question_from_table
 from autograder.errors import CourseError, UsageError
+from autograder.kinds.registry import load_kind
 
 QUESTIONS = Path("notebooks/questions")
 ANSWERS = Path("solutions/answers")
@@ -202,6 +203,9 @@ def load_course(root: Path | None = None) -> Course:
         # Not the course of a folder above: that would hide a mistyped name.
         raise CourseError(f"There is no course in {root}: it has no folder {QUESTIONS}.")
     root = root.resolve()
+    tools = _read_tool_table(root)
+    for package in _own_kinds(root, tools):
+        load_kind(package, root)
     chapters = []
     for path in sorted((root / QUESTIONS).glob("*.toml"), key=_chapter_position(root)):
         table = _read_toml(path, "write it, or remove the file")
@@ -220,7 +224,7 @@ def load_course(root: Path | None = None) -> Course:
     if not chapters:
         raise CourseError(f"{root / QUESTIONS} holds no questions; add a CHAPTER.toml.")
     _reject_duplicates(chapters)
-    return Course(root, tuple(chapters), _read_settings(root))
+    return Course(root, tuple(chapters), _read_settings(root, tools))
 
 
 def _reject_duplicates(chapters: list[Chapter]) -> None:
@@ -267,15 +271,33 @@ def _read_toml(path: Path, missing: str) -> dict[str, Any]:
         raise CourseError(f"{path} cannot be read: {error}.") from None
 
 
-def _read_settings(root: Path) -> Settings:
+def _read_tool_table(root: Path) -> dict[str, Any]:
+    """The table ``[tool.autograder]`` of the course's pyproject.toml, empty if there is none."""
     path = root / "pyproject.toml"
     if not path.exists():
-        return Settings()
+        return {}
     tools = _read_toml(path, "").get("tool", {})
     table = tools.get("autograder", {}) if isinstance(tools, dict) else {}
-    where = f"[tool.autograder] in {path}"
     if not isinstance(table, dict):
-        raise CourseError(f"{where} must be a table of settings such as memory_mb = 1024.")
+        raise CourseError(
+            f"[tool.autograder] in {path} must be a table of settings such as memory_mb = 1024."
+        )
+    return table
+
+
+def _own_kinds(root: Path, table: dict[str, Any]) -> list[str]:
+    """The packages of the kinds of question that a course brings along."""
+    packages = table.pop("kinds", [])
+    if not (isinstance(packages, list) and all(isinstance(name, str) for name in packages)):
+        raise CourseError(
+            f"kinds of [tool.autograder] in {root / 'pyproject.toml'} must be a list of packages, "
+            'such as kinds = ["notebooks.kinds.matching"].'
+        )
+    return packages
+
+
+def _read_settings(root: Path, table: dict[str, Any]) -> Settings:
+    where = f"[tool.autograder] in {root / 'pyproject.toml'}"
     kinds = {field.name: type(field.default) for field in fields(Settings)}
     for name, value in table.items():
         if name not in kinds:

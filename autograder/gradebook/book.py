@@ -6,7 +6,7 @@ import json
 import sqlite3
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
@@ -98,6 +98,16 @@ class Gradebook:
                 "UPDATE run SET finished_at = ?, seconds = seconds + ? WHERE id = ?",
                 (_now(), seconds, run.id),
             )
+
+    def note_isolation(self, run: Run, isolation: str) -> Run:
+        """Note what kept student code in, beside what did so in this run before."""
+        before = [] if run.isolation.startswith("unknown") else run.isolation.split("; and ")
+        if isolation in before:
+            return run
+        text = "; and ".join([*before, isolation])
+        with self._transaction() as db:
+            db.execute("UPDATE run SET isolation = ? WHERE id = ?", (text, run.id))
+        return replace(run, isolation=text)
 
     # Submissions and marks
 

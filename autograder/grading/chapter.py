@@ -11,14 +11,14 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from autograder.course import Chapter, Course
-from autograder.course.questions import Order, Question, TrueFalse
+from autograder.course.questions import Question
 from autograder.exchange.replies import NOT_PLAIN
 from autograder.intake.submissions import Contents
+from autograder.kinds.registry import kind_of
 from autograder.marking import Mark, not_attempted, stopped
 from autograder.marking.marker import Marker
 from autograder.marking.probe import Probe
 from autograder.sandbox.launcher import Sandbox, Session, Stopped
-from autograder.student.typed import typed_cell
 
 Opening = dict[str, Any] | Stopped | None
 
@@ -77,7 +77,8 @@ def _collect(
     }
     # What was typed into a field counts where the notebook itself assigns nothing.
     kept = {**receipts, **given}
-    typed = {q.id: cell for q in asked if (cell := typed_cell(q, kept.get(q.id))) is not None}
+    fillings = {q.id: kind_of(q).typed_cell(q, kept.get(q.id)) for q in asked}
+    typed = {id: cell for id, cell in fillings.items() if cell is not None}
     cells = [cell for cell in (notebook.cells if notebook else ()) if cell not in course.demo_cells]
     return _Work(
         [*cells, *typed.values()],
@@ -112,7 +113,7 @@ def _run_notebook(work: _Work, asked: Sequence[Question], session: Session) -> _
 
 def _mark_without_asking(question: Question, work: _Work, ran: _Ran, marker: Marker) -> Mark | None:
     """The mark of a choice, or of what cannot be asked; None where the process must be asked."""
-    is_choice = isinstance(question, TrueFalse | Order)
+    is_choice = question.name is None
     if is_choice:
         # What the student's widgets wrote is the truth; the code's own `respond` and the receipts
         # in the outputs stand in where it is missing.

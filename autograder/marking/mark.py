@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import asdict, dataclass
 from typing import Any
 
-from autograder.course.questions import Question
+from autograder.kinds.question import Question
 
 STATUSES = (
     "right",

@@ -23,7 +23,7 @@ from typing import Any
 import numpy as np
 
 from autograder.sandbox.inside.evaluate import describe, evaluate
-from autograder.sandbox.inside.expression_values import is_plain
+from autograder.sandbox.inside.plain_data import is_plain
 
 MAX_SAVED = 2**20
 _DESCRIBE_SECONDS = 2.0

@@ -15,6 +15,7 @@ from contextlib import suppress
 from pathlib import Path
 from types import ModuleType
 
+from autograder.sandbox.inside.evaluate import load_kinds
 from autograder.sandbox.inside.notebook import Notebook
 
 _LIBRARIES = (
@@ -75,6 +76,7 @@ def warm(with_course: bool) -> Notebook:
             importlib.import_module(name)
     if "cv2" in sys.modules:
         sys.modules["cv2"].setNumThreads(1)  # its threads would not be there after a fork
+    load_kinds()
     notebook = Notebook()
     notebook.run(list(_CELLS), ["f", "x", "figure"])
     if with_course and _asks_in_its_notebooks():

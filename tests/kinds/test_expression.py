@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from tiny_course import TinyCourse, make_tiny_course
 
-from autograder.course.answers import ExpressionAlternative
+from autograder.kinds.expression.answer import ExpressionAlternative
 from autograder.kinds.expression.marking import POINT_COUNT, matches
 from autograder.marking import Mark
 from autograder.marking.marker import Marker
@@ -219,7 +219,7 @@ def test_a_stub_is_not_attempted(tiny_course):
 def test_no_answer_is_in_what_is_sent(tiny_course):
     """Points only: the values of the right expression stay on the trusted side."""
     sent = Marker(tiny_course.load(), seed=1).probe("Q1.4").sent
-    assert sent.keys() == {"kind", "points"}
+    assert sent.keys() == {"kind", "inside", "points"}
     assert sent["points"].keys() == {"a", "b", "half"}
 
 

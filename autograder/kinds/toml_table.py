@@ -1,10 +1,14 @@
-"""A table of the key, read field by field: nothing unknown, nothing of a wrong type."""
+"""A table that an author wrote, read field by field: nothing unknown, nothing of a wrong type."""
 
 from __future__ import annotations
 
+import keyword
+import re
 from typing import Any
 
 from autograder.errors import CourseError
+
+_NAME = re.compile(r"[A-Za-z_]\w*")
 
 
 class Table:
@@ -36,6 +40,32 @@ class Table:
         if not all(isinstance(value, str) for value in values):
             raise self.error(f"{key} must be a list of texts")
         return tuple(values)
+
+    def some_texts(self, key: str) -> tuple[str, ...]:
+        """At least one text, none of them empty."""
+        values = self.take(key, list)
+        if not values:
+            raise self.error(f"{key} is empty; give at least one")
+        if not all(isinstance(value, str) and value.strip() for value in values):
+            raise self.error(f"one of the {key} is empty; write it or remove it")
+        return tuple(values)
+
+    def python_name(self, key: str) -> str:
+        """The name of a variable or a function."""
+        name = str(self.take(key, str))
+        self.check_name(key, name)
+        return name
+
+    def check_name(self, what: str, name: str) -> None:
+        if not _NAME.fullmatch(name) or keyword.iskeyword(name):
+            raise self.error(f"{what} is {name!r}, which is not a Python name")
+
+    def points(self) -> float:
+        """What the question is worth."""
+        points = float(self.take("points", (int, float)))
+        if not 0 <= points < float("inf"):
+            raise self.error("points must be a number of at least 0 (0: it is ungraded)")
+        return points
 
     def groups(self, key: str, default: Any = ...) -> tuple[tuple[str, ...], ...]:
         values = self.take(key, list, default)

@@ -7,9 +7,9 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from autograder.course.answers import OrderAnswer
-from autograder.course.questions import Card, Order
+from autograder.kinds.order.answer import OrderAnswer
 from autograder.kinds.order.marking import fewest_moves, mark_order, transitive_closure
+from autograder.kinds.order.question import Card, Order
 from autograder.marking.marker import Marker
 
 Graph = list[tuple[str, str]]

@@ -6,7 +6,8 @@ import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from autograder.sandbox.inside.expression_values import NotInTable, is_plain, values_at
+from autograder.kinds.expression.inside.values import NotInTable, values_at
+from autograder.sandbox.inside.plain_data import is_plain
 
 x, y = sp.symbols("x y", real=True)
 POINTS = {"x": np.array([0.3, 1.7, 2.9]), "y": np.array([1.1, 0.2, 0.7])}

@@ -10,9 +10,9 @@ import sympy as sp
 from hypothesis import given
 from hypothesis import strategies as st
 
-from autograder.course.answers import NumberAlternative, NumberAnswer
-from autograder.course.questions import Number
+from autograder.kinds.number.answer import NumberAlternative, NumberAnswer
 from autograder.kinds.number.marking import mark_number
+from autograder.kinds.number.question import Number
 from autograder.marking import Mark
 from autograder.marking.marker import Marker
 from autograder.sandbox.inside.evaluate import evaluate
