@@ -24,12 +24,14 @@ from autograder.cli import (
     export,
     feedback,
     grade,
+    new,
     note,
     override,
     regrade,
     release,
     show,
     similar,
+    watch,
 )
 from autograder.cli.status import BROKEN, DONE, WRONG_USAGE
 from autograder.errors import AutograderError, UsageError
@@ -39,7 +41,7 @@ __all__ = ["BROKEN", "DONE", "WRONG_USAGE", "main"]
 _COMMANDS = (
     *(grade, regrade, show, override, note),
     *(adjust, export, feedback, similar, release),
-    *(check, build, doctor),
+    *(new, build, check, watch, doctor),
 )
 
 

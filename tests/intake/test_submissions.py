@@ -187,6 +187,7 @@ def test_other_encodings_and_byte_order_marks_are_read(encoding):
         (notebook("x" * 3_000_000), "more than 2 million characters"),
         (b'{"cells": [' + b"[" * 5_000_000, "holds data that no notebook holds"),
     ],
+    ids=lambda value: str(value)[:30],  # some are too long for the name of a test
 )
 def test_what_is_no_notebook_is_refused_with_a_sentence(data, reason):
     with pytest.raises(Unreadable, match=reason) as caught:

@@ -1,0 +1,45 @@
+"""``autograder new``: begin a course."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from rich.console import Console
+
+from autograder.cli.common import Commands
+from autograder.cli.status import DONE
+from autograder.course import load_course
+
+
+def add(commands: Commands) -> None:
+    """Describe the command."""
+    new = commands.add_parser("new", help="begin a course: a complete small one, to be changed")
+    new.add_argument("folder", type=Path, metavar="DIR", help="a new folder")
+    new.add_argument("--title", default="The pendulum", help="the title of the course")
+    new.add_argument(
+        "--from",
+        type=Path,
+        dest="layout",
+        metavar="COURSE",
+        help="take over the chapters, requirements and limits of this course, and no question",
+    )
+    new.set_defaults(run=run)
+
+
+def run(parsed: argparse.Namespace, console: Console) -> int:
+    """Write the course, build its notebooks, and say what to do next."""
+    from autograder.authoring.build import build_solved_notebooks, build_student_notebooks, write
+    from autograder.authoring.new_course import new_course
+
+    layout = load_course(parsed.layout) if parsed.layout is not None else None
+    files = new_course(parsed.folder, parsed.title, layout)
+    with console.status("building the notebooks"):
+        course = load_course(parsed.folder)
+        write(build_student_notebooks(course))
+        write(build_solved_notebooks(course))
+    print(
+        f"{parsed.folder} is a course of {len(files)} files and {len(course.questions)} questions."
+    )
+    print(f"Next: cd {parsed.folder} && autograder check; its README.md says the rest.")
+    return DONE

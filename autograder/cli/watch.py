@@ -1,0 +1,29 @@
+"""``autograder watch``: build and prove what is saved, as it is saved."""
+
+from __future__ import annotations
+
+import argparse
+
+from rich.console import Console
+
+from autograder.cli.common import Commands, load
+from autograder.cli.status import DONE
+
+
+def add(commands: Commands) -> None:
+    """Describe the command."""
+    watch = commands.add_parser("watch", help="build and check whenever a file is saved")
+    watch.add_argument(
+        "--once", action="store_true", help="do what is due now, and stop instead of waiting"
+    )
+    watch.set_defaults(run=run)
+
+
+def run(parsed: argparse.Namespace, console: Console) -> int:
+    """Report on each save until Ctrl-C."""
+    from autograder.authoring.watch import watch
+
+    root = load(parsed).root
+    print(f"Watching {root}. Stop with Ctrl-C.")
+    watch(root, print, once=parsed.once)
+    return DONE

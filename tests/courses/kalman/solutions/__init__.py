@@ -1,0 +1,1 @@
+"""What students never get: the key, references and known mistakes."""
