@@ -62,6 +62,7 @@ class Course:
     root: Path
     chapters: tuple[Chapter, ...]
     settings: Settings
+    own_kinds: tuple[str, ...] = ()  # packages of the kinds of question that it brings along
 
     @cached_property
     def questions(self) -> dict[str, Question]:
@@ -206,7 +207,8 @@ def load_course(root: Path | None = None) -> Course:
         raise CourseError(f"There is no course in {root}: it has no folder {QUESTIONS}.")
     root = root.resolve()
     tools = _read_tool_table(root)
-    for package in _own_kinds(root, tools):
+    own_kinds = _own_kinds(root, tools)
+    for package in own_kinds:
         load_kind(package, root)
     chapters = []
     for path in sorted((root / QUESTIONS).glob("*.toml"), key=_chapter_position(root)):
@@ -226,7 +228,7 @@ def load_course(root: Path | None = None) -> Course:
     if not chapters:
         raise CourseError(f"{root / QUESTIONS} holds no questions; add a CHAPTER.toml.")
     _reject_duplicates(chapters)
-    return Course(root, tuple(chapters), _read_settings(root, tools))
+    return Course(root, tuple(chapters), _read_settings(root, tools), own_kinds)
 
 
 def _reject_duplicates(chapters: list[Chapter]) -> None:
@@ -287,7 +289,7 @@ def _read_tool_table(root: Path) -> dict[str, Any]:
     return table
 
 
-def _own_kinds(root: Path, table: dict[str, Any]) -> list[str]:
+def _own_kinds(root: Path, table: dict[str, Any]) -> tuple[str, ...]:
     """The packages of the kinds of question that a course brings along."""
     packages = table.pop("kinds", [])
     if not (isinstance(packages, list) and all(isinstance(name, str) for name in packages)):
@@ -295,7 +297,7 @@ def _own_kinds(root: Path, table: dict[str, Any]) -> list[str]:
             f"kinds of [tool.autograder] in {root / 'pyproject.toml'} must be a list of packages, "
             'such as kinds = ["notebooks.kinds.matching"].'
         )
-    return packages
+    return tuple(packages)
 
 
 def _packages(value: Any, where: str) -> tuple[str, ...]:
