@@ -44,6 +44,8 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
         markup=False,
         soft_wrap=True,
     )
+    for stays in bundle.left_out:
+        console.print(f"Left out: {stays.path}; {stays.reason}.", markup=False, soft_wrap=True)
     for missed in bundle.blind:
         console.print(
             f"Its checks cannot tell this mistake: {missed}", markup=False, soft_wrap=True

@@ -13,7 +13,7 @@ from autograder.authoring.build import build_student_notebooks
 from autograder.course import Course
 from autograder.errors import CourseError, UsageError
 from autograder.marking.snapshots import SNAPSHOTS
-from autograder.release.files import student_files
+from autograder.release.files import LeftOut, left_out, student_files
 from autograder.release.leaks import leaks
 from autograder.release.practice import PRACTICE, practice_files
 from autograder.release.pyproject import bundle_pyproject, kinds_setting
@@ -23,11 +23,15 @@ from autograder.release.take_snapshots import chapter_snapshots
 
 @dataclass(frozen=True)
 class Bundle:
-    """A finished bundle; ``blind`` names the known mistakes that its checks cannot tell."""
+    """A finished bundle, and what stayed here.
+
+    ``blind`` names the known mistakes that its checks cannot tell.
+    """
 
     folder: Path
     files: tuple[Path, ...]
     blind: tuple[str, ...]
+    left_out: tuple[LeftOut, ...]
 
 
 def release(
@@ -55,14 +59,15 @@ def release(
         for built in build_student_notebooks(course):
             _write(folder / built.path.relative_to(course.root), built.text)
         report("snapshots")
-        blind = []
+        blind, checked = [], set()
         for chapter in course.chapters:
             snapshots, missed = chapter_snapshots(course, chapter)
             blind += missed
+            checked |= {id for id, snapshot in snapshots.items() if snapshot.get("checked")}
             text = json.dumps(snapshots, indent=1)
             _write(folder / SNAPSHOTS / f"{chapter.name}.json", text + "\n")
         _write(folder / "pyproject.toml", bundle_pyproject(course, "-student"))
-        _write(folder / "README.md", student_readme(course, practice))
+        _write(folder / "README.md", student_readme(course, practice, checked))
         _write(folder / ".gitignore", ".venv/\n__pycache__/\nresponses/\nsubmission.zip\nuv.lock\n")
         for file in practised:
             _copy(course.root / file, folder / PRACTICE / file)
@@ -78,7 +83,7 @@ def release(
             target.rmdir()
         shutil.move(folder, target)
     files = tuple(sorted(path.relative_to(target) for path in target.rglob("*") if path.is_file()))
-    return Bundle(target, files, tuple(blind))
+    return Bundle(target, files, tuple(blind), tuple(left_out(course)))
 
 
 def _copy(source: Path, target: Path) -> None:

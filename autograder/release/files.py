@@ -1,67 +1,131 @@
-"""Which files of a course may go where: by what is allowed, never by what is not."""
+"""Which files of a course may go where: a folder and a rule for each, and a reason for what stays.
+
+The rules allow: what no rule names stays. In ``data`` and in packages beside the notebooks any file
+goes, whatever its ending, unless there is a reason against it.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 
 from autograder.course import ANSWERS, QUESTIONS, Course
 
 _ENGINE = frozenset({".py", ".js", ".mjs", ".css", ".json"})
-_DATA = frozenset(
-    {".py", ".npz", ".npy", ".csv", ".png", ".jpg", ".jpeg", ".json", ".txt", ".md", ".g2o"}
-)
-_NEVER = frozenset({"__pycache__", "responses", ".ipynb_checkpoints", "node_modules"})
+_CACHES = frozenset({"__pycache__", ".ipynb_checkpoints", "node_modules"})
+_STUDENTS = frozenset({"responses", "submission.zip"})
+_NOT_COPIED = frozenset({"source", "questions", "snapshots"})  # folders with rules of their own
+_PICKLES = frozenset({".pkl", ".pickle", ".joblib"})
+
+
+@dataclass(frozen=True)
+class LeftOut:
+    """A file that stays here, by its path in the course, and why."""
+
+    path: PurePosixPath
+    reason: str
 
 
 def engine_files() -> Iterator[tuple[PurePosixPath, Path]]:
     """The autograder itself, as it is installed here: name in the bundle, and file."""
     root = Path(__file__).parents[1]
-    for path in _under(root, _ENGINE):
-        yield PurePosixPath("autograder", *path.relative_to(root).parts), path
+    for path in _files(root):
+        if path.suffix in _ENGINE and _reason(path, root) is None:
+            yield PurePosixPath("autograder", *path.relative_to(root).parts), path
 
 
 def student_files(course: Course) -> Iterator[tuple[PurePosixPath, Path]]:
     """What of a course may be copied to students as it is; the notebooks are built for them."""
     yield from engine_files()
-    yield from _in(course, "data", _DATA)
+    for folder in _shared_folders(course):
+        for path in _files(folder):
+            if _reason(path, course.root) is None:
+                yield _name(course, path), path
     for path in sorted((course.root / "notebooks").glob("*.py")):
         yield _name(course, path), path
-    for folder in sorted((course.root / "notebooks").iterdir()):
-        # Packages of pictures and helpers; the masters in `source` are no package.
-        if (folder / "__init__.py").exists() and folder.name not in _NEVER:
-            yield from _in(course, f"notebooks/{folder.name}", _ENGINE)
-    yield from _in(course, str(QUESTIONS), frozenset({".toml"}))
+    for path in sorted((course.root / QUESTIONS).glob("*.toml")):
+        yield _name(course, path), path
     for name in ("LICENSE", "LICENSE.txt"):
         if (course.root / name).is_file():
             yield PurePosixPath(name), course.root / name
+
+
+def left_out(course: Course) -> list[LeftOut]:
+    """What lies among the things for students and does not go to them.
+
+    Caches and what a student's own work leaves are not worth a word.
+    """
+    found = []
+    for folder in _shared_folders(course):
+        for path in _files(folder):
+            reason = _reason(path, course.root)
+            if reason:
+                found.append(LeftOut(_name(course, path), reason))
+    shared = {folder.name for folder in _shared_folders(course)}
+    for path in sorted((course.root / "notebooks").iterdir()):
+        if path.is_dir():
+            if path.name in shared | _NOT_COPIED | _CACHES | _STUDENTS or not any(_files(path)):
+                continue
+            reason = "it is not a package: without __init__.py no notebook can import it"
+        elif path.suffix in (".py", ".ipynb") or path.name in _STUDENTS:
+            continue
+        else:
+            reason = "beside the notebooks only modules are copied; move it to data"
+        found.append(LeftOut(_name(course, path), _reason(path, course.root) or reason))
+    return found
 
 
 def grader_files(course: Course) -> Iterator[tuple[PurePosixPath, Path]]:
     """What grading needs: the same, and the key with its references."""
     yield from student_files(course)
     # The masters' numbers give the chapters their order.
-    yield from _in(course, "notebooks/source", frozenset({".py"}))
-    yield from _in(course, str(ANSWERS), frozenset({".toml"}))
-    for path in _under(course.root / "solutions", frozenset({".py"})):
-        yield _name(course, path), path
+    for folder, pattern in (
+        ("notebooks/source", "*.py"),
+        (str(ANSWERS), "*.toml"),
+        ("solutions", "**/*.py"),
+    ):
+        for path in sorted((course.root / folder).glob(pattern)):
+            if _reason(path, course.root) is None:
+                yield _name(course, path), path
 
 
-def _in(
-    course: Course, folder: str, suffixes: frozenset[str]
-) -> Iterator[tuple[PurePosixPath, Path]]:
-    for path in _under(course.root / folder, suffixes):
-        yield _name(course, path), path
+def _shared_folders(course: Course) -> list[Path]:
+    """The data, and the packages beside the notebooks; the masters in `source` are no package."""
+    packages = [
+        folder
+        for folder in sorted((course.root / "notebooks").iterdir())
+        if (folder / "__init__.py").exists()
+    ]
+    return [course.root / "data", *packages]
+
+
+def _reason(path: Path, root: Path) -> str | None:
+    """Why a file stays here: None if it may go, empty if that goes without saying."""
+    parts = path.relative_to(root).parts
+    if (_CACHES | _STUDENTS) & set(parts):
+        return ""
+    if any(part.startswith(".") for part in parts):
+        return "it is hidden: its name or its folder's begins with a dot"
+    if path.is_symlink():
+        return "it is a link, which would lead nowhere in the bundle"
+    if path.suffix in _PICKLES or (path.is_file() and _is_pickle(path)):
+        return "it is a pickle, which runs code where it is loaded; store plain data"
+    return None
+
+
+def _is_pickle(path: Path) -> bool:
+    """Whether a file begins as one of protocol 2 or newer does."""
+    with path.open("rb") as file:
+        begin = file.read(2)
+    return len(begin) == 2 and begin[0] == 0x80 and 2 <= begin[1] <= 5
+
+
+def _files(folder: Path) -> Iterator[Path]:
+    for path in sorted(folder.rglob("*")) if folder.is_dir() else []:
+        if path.is_symlink() or path.is_file():
+            yield path
 
 
 def _name(course: Course, path: Path) -> PurePosixPath:
     return PurePosixPath(*path.relative_to(course.root).parts)
-
-
-def _under(folder: Path, suffixes: frozenset[str]) -> Iterator[Path]:
-    """The files below a folder with an allowed ending; links and hidden files are left out."""
-    for path in sorted(folder.rglob("*")) if folder.is_dir() else []:
-        parts = path.relative_to(folder).parts
-        hidden = any(part in _NEVER or part.startswith(".") for part in parts)
-        if path.is_file() and not path.is_symlink() and path.suffix in suffixes and not hidden:
-            yield path

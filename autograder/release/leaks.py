@@ -19,7 +19,7 @@ from autograder.marking.make_probe import load_object
 
 _SHORTEST = 12  # characters; shorter strings turn up by chance
 _SHORTEST_CODE = 40
-_TEXT = frozenset({".py", ".toml", ".md", ".json", ".ipynb", ".js", ".mjs", ".css", ".txt", ".csv"})
+_READABLE = re.compile(rb"[\x20-\x7e\t\r\n]{12,}")  # in a file that is not text
 
 
 def leaks(course: Course, bundle: Path, except_chapters: Iterable[str] = ()) -> Iterator[str]:
@@ -32,9 +32,9 @@ def leaks(course: Course, bundle: Path, except_chapters: Iterable[str] = ()) -> 
     texts, code = {}, {}
     for path in sorted(bundle.rglob("*")):
         name = path.relative_to(bundle)
-        if not path.is_file() or path.suffix not in _TEXT or name.parts[0] == "practice":
+        if not path.is_file() or name.parts[0] == "practice":
             continue
-        content = path.read_text(encoding="utf-8")
+        content = _text(path)
         texts[name] = _bare(content)
         code[name] = _pairs(content) if path.suffix == ".py" else set()
         if path.suffix == ".ipynb":
@@ -58,6 +58,15 @@ def bodies(course: Course, question: Question, answer: Answer) -> Iterator[str]:
     """The sources of the solutions, right and wrong, that a key names."""
     for name in kind_of(question).solutions(answer):
         yield textwrap.dedent(inspect.getsource(load_object(name, course.root)))
+
+
+def _text(path: Path) -> str:
+    """What a file says, whatever its ending; of one that is not text, what can be read of it."""
+    content = path.read_bytes()
+    try:
+        return content.decode("utf-8")
+    except UnicodeDecodeError:
+        return b"\n".join(_READABLE.findall(content)).decode("ascii")
 
 
 def _pairs(source: str) -> set[str]:

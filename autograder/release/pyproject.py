@@ -5,11 +5,13 @@ What the engine needs stands among the course's own requirements, and the limits
 
 from __future__ import annotations
 
+import ast
 import json
 import re
 import tomllib
+from collections.abc import Iterator
 from dataclasses import fields
-from importlib.metadata import PackageNotFoundError, requires
+from importlib.metadata import PackageNotFoundError, packages_distributions, requires
 from pathlib import Path
 from typing import Any
 
@@ -29,7 +31,7 @@ def bundle_pyproject(course: Course, suffix: str) -> str:
     engine = engine_requirements()
     own = [
         requirement
-        for requirement in project.get("dependencies", [])
+        for requirement in project.get("dependencies", _imported(course))
         if distribution(requirement) != ENGINE
     ]
     named = {distribution(requirement) for requirement in own}
@@ -101,6 +103,24 @@ def engine_requirements() -> dict[str, list[str]]:
         name = extra[1] if extra else ""
         found.setdefault(name, []).append(_EXTRA.sub("", requirement))
     return found
+
+
+def _imported(course: Course) -> list[str]:
+    """What a course that declares nothing needs: the distributions that its notebooks import."""
+    modules = set()
+    for folder in ("notebooks", "data"):
+        for path in (course.root / folder).rglob("*.py"):
+            modules |= set(_imports(path))
+    found = {name for module in modules for name in packages_distributions().get(module, ())}
+    return sorted(name for name in found if distribution(name) != ENGINE)
+
+
+def _imports(path: Path) -> Iterator[str]:
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.Import):
+            yield from (alias.name.partition(".")[0] for alias in node.names)
+        elif isinstance(node, ast.ImportFrom) and node.module and node.level == 0:
+            yield node.module.partition(".")[0]
 
 
 def distribution(requirement: str) -> str:

@@ -7,8 +7,13 @@ from collections.abc import Collection
 from autograder.course import Course
 
 
-def student_readme(course: Course, practice: Collection[str] = ()) -> str:
-    """How to start, how to answer, how to hand in."""
+def student_readme(
+    course: Course, practice: Collection[str] = (), checked: Collection[str] = ()
+) -> str:
+    """How to start, how to answer, how to hand in.
+
+    ``checked`` names the questions that the bundle itself tries on a few examples.
+    """
     points = sum(question.points for question in course.questions.values())
     chapters = "\n".join(
         f"- {chapter.title}: {len(chapter.questions)} questions, "
@@ -52,10 +57,7 @@ jupyter lab notebooks/{first}
 
 ## Answer
 
-- `ask("Q1.1")` shows a question with buttons or cards. Your answer is kept as soon as you give it.
-- `check("Q2.3", fit_line)` tries a function or a formula on a few examples and shows the first that
-  goes wrong. The marks that count come later, on other inputs.
-- Numbers, choices and orders are recorded, and marked after you hand in.
+{_ways(course, checked)}
 - `progress()` shows what you have answered.
 {full}
 Your answers are kept in `notebooks/responses/`. You may close notebooks, restart kernels and clear
@@ -66,3 +68,29 @@ outputs; do not delete that folder.
 Run `submit()` in the last notebook. It writes `notebooks/submission.zip` and names what is still
 open. Hand in that one file. You can do so again until the deadline.
 """
+
+
+def _ways(course: Course, checked: Collection[str]) -> str:
+    """How questions are answered, by those of this course."""
+    clicked = [entry for entry in course.questions.values() if entry.name is None]
+    tried = [entry for entry in course.questions.values() if entry.id in checked]
+    written = [
+        entry
+        for entry in course.questions.values()
+        if entry.name is not None and entry.id not in checked
+    ]
+    lines = []
+    if clicked:
+        lines.append(
+            f'- `ask("{clicked[0].id}")` shows a question to click on. Your answer is kept as soon '
+            "as you give it."
+        )
+    if tried:
+        lines.append(
+            f'- `check("{tried[-1].id}", {tried[-1].name})` tries what you wrote on a few examples '
+            "and shows the first that goes wrong. The marks that count come later, on other inputs."
+        )
+    if written:
+        lines.append(f'- `check("{written[0].id}", {written[0].name})` records what you found.')
+    lines.append("- What is only recorded is marked after you hand in.")
+    return "\n".join(lines)

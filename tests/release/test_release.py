@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import json
 import os
+import pickle
+import re
 import subprocess
 import sys
 import tomllib
@@ -124,8 +126,61 @@ def test_what_is_not_on_the_list_stays_here(orchard: Course, tmp_path: Path):
     (cluttered.root / "data/key.pkl").write_text("kept to myself")
     (cluttered.root / "data/.env").write_text("kept to myself")
     (cluttered.root / "data/link.csv").symlink_to(cluttered.root / "grades/grades.csv")
-    release(cluttered, tmp_path / "bundle")
+    made = release(cluttered, tmp_path / "bundle")
     assert "kept to myself" not in everything(tmp_path / "bundle")
+    reasons = {str(entry.path): entry.reason for entry in made.left_out}
+    assert reasons.keys() == {"notebooks/mine.txt", "data/key.pkl", "data/.env", "data/link.csv"}
+    assert "move it to data" in reasons["notebooks/mine.txt"]
+    assert "link" in reasons["data/link.csv"]
+    assert "pickle" in reasons["data/key.pkl"]
+    assert "hidden" in reasons["data/.env"]
+
+
+@pytest.mark.parametrize("name", ["scan.bag", "table.parquet", "notes", "film.MP4", "a/b.jsonl"])
+def test_data_go_along_whatever_their_ending(orchard: Course, tmp_path: Path, name: str):
+    course = copy_course(orchard, tmp_path / "course")
+    path = course.root / "data" / name
+    path.parent.mkdir(parents=True)
+    path.write_bytes(b"\x00\xff apples")
+    made = release(course, tmp_path / "bundle")
+    assert (tmp_path / "bundle/data" / name).read_bytes() == b"\x00\xff apples"
+    assert made.left_out == ()
+
+
+def test_a_pickle_is_known_by_what_it_holds(orchard: Course, tmp_path: Path):
+    course = copy_course(orchard, tmp_path / "course")
+    (course.root / "data").mkdir()
+    (course.root / "data/model.bin").write_bytes(pickle.dumps({"apples": 3}))
+    made = release(course, tmp_path / "bundle")
+    assert [str(entry.path) for entry in made.left_out] == ["data/model.bin"]
+
+
+def test_an_answer_is_found_in_a_file_of_any_ending(orchard: Course, tmp_path: Path):
+    course = copy_course(orchard, tmp_path / "course")
+    (course.root / "data").mkdir()
+    secret = b"Cones grow on conifers, the secret of the orchard."
+    (course.root / "data/scan.bag").write_bytes(b"\xff\x00" + secret + b"\x00\xff")
+    with pytest.raises(CourseError, match=r"data/scan\.bag"):
+        release(course, tmp_path / "bundle")
+
+
+def test_a_course_without_a_pyproject_gives_a_bundle_that_starts(orchard: Course, tmp_path: Path):
+    course = copy_course(orchard, tmp_path / "course")
+    (course.root / "pyproject.toml").unlink(missing_ok=True)
+    release(course, tmp_path / "bundle")
+    project = tomllib.loads((tmp_path / "bundle/pyproject.toml").read_text())["project"]
+    names = {Requirement(entry).name for entry in project["dependencies"]}
+    assert {"anywidget", "numpy", "sympy", "filelock"} <= names
+    assert project["optional-dependencies"]["lab"]
+    assert "progress" not in run_in(tmp_path / "bundle", "from autograder import ask; ask('Q1')")
+
+
+def test_the_readme_names_the_course_s_own_functions(course: Course, bundle: Path):
+    readme = (bundle / "README.md").read_text()
+    named = re.findall(r'(?:ask|check)\("(Q[\w.]+)"(?:, (\w+))?\)', readme)
+    assert len(named) >= 3
+    for id, name in named:
+        assert (course.question(id).name or "") == name
 
 
 def test_a_folder_that_holds_something_is_never_written_to(orchard: Course, tmp_path: Path):
