@@ -1,7 +1,7 @@
 """What a function returns is counted by what it would become in the grader."""
 
 import pytest
-from small_course import CASE, GOOD
+from small_course import CASE, GOOD, NUMBER
 
 TOO_LARGE = [
     "np.zeros((2**28, 0))",
@@ -14,11 +14,12 @@ TOO_LARGE = [
 
 
 @pytest.mark.parametrize("value", TOO_LARGE)
-def test_a_value_that_is_far_too_large_costs_its_question_and_nothing_else(session, value):
-    session.run([*GOOD, f"def double(x):\n    return {value}"], [])
-    (outcome, *_) = [session.evaluate("double", CASE)]
+def test_a_value_that_is_far_too_large_costs_its_question_and_nothing_else(patient_session, value):
+    patient_session.run([*GOOD, f"def double(x):\n    return {value}"], [])
+    session = patient_session
+    outcome = session.evaluate("double", CASE)
     assert outcome == {"state": "unusable", "reason": "too large"}
-    assert session.evaluate("k", {"kind": "number"}) == {"state": "given", "value": 74}
+    assert session.evaluate("k", NUMBER) == {"state": "given", "value": 74}
 
 
 def test_the_same_sent_past_the_honest_way_out_is_no_answer(session):
@@ -36,4 +37,4 @@ def double(x):
     session.run([*GOOD[:1], cell], [])
     with pytest.raises(Exception, match="no answer"):
         session.evaluate("double", CASE)
-    assert session.evaluate("k", {"kind": "number"}) == {"state": "given", "value": 74}
+    assert session.evaluate("k", NUMBER) == {"state": "given", "value": 74}
