@@ -65,6 +65,11 @@ def bare_formula_rounded_down(p, w, s):
     return int(math.log(1 - p) / math.log(1 - w**s))
 
 
+def rounds_down_without_edges(p, w, s):
+    """Cuts the fraction off, and checks nothing."""
+    return int(math.log1p(-p) / math.log1p(-(w**s)))
+
+
 def zero_at_the_edges(p, w, s):
     """Returns 0 where the logarithm has no value."""
     _at_the_edges(p, w)
