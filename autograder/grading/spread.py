@@ -35,6 +35,10 @@ class Spread(Protocol):
     def has_room(self) -> bool:
         """Whether another task is welcome; more than that would only take memory."""
 
+    @property
+    def isolation(self) -> str:
+        """What keeps student code in there, for reports; empty until something was begun."""
+
     def begin(self, task: Task, more: int) -> None:
         """Have a task graded; ``more`` are likely to follow.
 

@@ -52,6 +52,10 @@ class Threads:
     def has_room(self) -> bool:
         return len(self._tasks) <= 2 * self._slots.count
 
+    @property
+    def isolation(self) -> str:
+        return self._slots.isolation
+
     def begin(self, task: Task, more: int) -> None:
         self._more = more
         if self._slots.count == 0:  # only now is there something to run
@@ -92,11 +96,13 @@ class _Slots:
         self._graded, self._seconds = 0, 0.0
         self.idle: SimpleQueue[Sandbox] = SimpleQueue()
         self.count = 0
+        self.isolation = ""
 
     def add(self) -> None:
         """Open one more."""
         sandbox = Sandbox(self._marker.course, self._isolation, self._marker.seed)
         self.idle.put(self._until.enter_context(sandbox))
+        self.isolation = sandbox.isolation
         self._start_seconds = sandbox.start_seconds
         self.count += 1
 

@@ -50,8 +50,12 @@ def same_count(case: Case, expected: Any, actual: Any) -> bool:
     """Tell whether two numbers of iterations are equal; from 1e9 on, to nine digits.
 
     So large a number cannot be right to the last digit in floating point, and whoever computes it
-    with more digits must not lose by that.
+    with more digits must not lose by that. Where the reference raises, one number is as wrong as
+    another.
     """
+    p, w, _ = case["args"]
+    if not (0 < p < 1 and 0 <= w <= 1):
+        return True
     if isinstance(actual, bool | str) or np.size(actual) != 1:
         return False
     try:

@@ -77,7 +77,7 @@ def test_the_latest_override_counts_and_none_withdraws_it(book: Gradebook):
     assert book.record("ada").total == 0
     book.override("ada", "Q1", None, "a mix-up")
     assert book.record("ada").total == 1
-    assert [reason for _, _, reason, _ in book.overrides("ada")] == ["first", "second", "a mix-up"]
+    assert [entry.reason for entry in book.overrides("ada")] == ["first", "second", "a mix-up"]
 
 
 def test_lateness_takes_its_percent_of_the_points_earned(book: Gradebook):

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from autograder.exchange.wire import encode
+from autograder.kinds.function.inside.evaluate import evaluate
 from autograder.kinds.function.marking import agrees
-from autograder.sandbox.inside.evaluate import evaluate
 from solutions.cases import line_fitting as line_cases
 from solutions.cases import ransac as ransac_cases
 from solutions.cases.planes_and_walls import find_walls_cases
@@ -211,19 +211,22 @@ def test_rubbish_is_never_the_same_consensus(rubbish):
     assert not ransac_cases.same_consensus(case, (line, np.array([0, 1])), rubbish)
 
 
+HALF = {"args": [0.99, 0.5, 2]}
+
+
 @pytest.mark.parametrize("rubbish", [None, "17", True, [17, 17], math.nan, 16.5, 18, 10**400])
 def test_rubbish_is_never_the_same_count(rubbish):
-    assert not ransac_cases.same_count({}, 17, rubbish)
+    assert not ransac_cases.same_count(HALF, 17, rubbish)
 
 
 def test_a_count_is_exact_unless_it_is_too_large_for_that():
     for same in (17, 17.0, np.float64(17), np.array(17)):
-        assert ransac_cases.same_count({}, 17, same)
-    assert ransac_cases.same_count({}, 10**14, 10**14 + 9)
-    assert not ransac_cases.same_count({}, 10**14, 10**14 + 10**6)
-    assert not ransac_cases.same_count({}, 10**8, 10**8 + 1)
-    assert ransac_cases.same_count({}, math.inf, math.inf)
-    assert not ransac_cases.same_count({}, math.inf, 10**300)
+        assert ransac_cases.same_count(HALF, 17, same)
+    assert ransac_cases.same_count(HALF, 10**14, 10**14 + 9)
+    assert not ransac_cases.same_count(HALF, 10**14, 10**14 + 10**6)
+    assert not ransac_cases.same_count(HALF, 10**8, 10**8 + 1)
+    assert ransac_cases.same_count(HALF, math.inf, math.inf)
+    assert not ransac_cases.same_count(HALF, math.inf, 10**300)
 
 
 @pytest.mark.parametrize("rubbish", [None, "ab", 1.0, np.eye(3), np.full((2, 2), math.nan), {}])

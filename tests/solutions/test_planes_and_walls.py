@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 import pytest
 
+from autograder.kinds.function.inside.evaluate import evaluate
 from autograder.kinds.function.marking import agrees
-from autograder.sandbox.inside.evaluate import evaluate
 from solutions.cases import planes_and_walls as cases
 from solutions.mistakes import planes_and_walls as mistakes
 from solutions.ransac.fast.consensus import ransac_plane as ransac_plane_at_once
