@@ -42,6 +42,8 @@ class Settings:
     output_mb: int = 8  # what one response may come to
     submission_mb: int = 100
     submission_files: int = 2000
+    # What notebooks may import beyond what the course itself does; loaded before anything runs.
+    packages: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -60,6 +62,7 @@ class Course:
     root: Path
     chapters: tuple[Chapter, ...]
     settings: Settings
+    own_kinds: tuple[str, ...] = ()  # packages of the kinds of question that it brings along
 
     @cached_property
     def questions(self) -> dict[str, Question]:
@@ -204,7 +207,8 @@ def load_course(root: Path | None = None) -> Course:
         raise CourseError(f"There is no course in {root}: it has no folder {QUESTIONS}.")
     root = root.resolve()
     tools = _read_tool_table(root)
-    for package in _own_kinds(root, tools):
+    own_kinds = _own_kinds(root, tools)
+    for package in own_kinds:
         load_kind(package, root)
     chapters = []
     for path in sorted((root / QUESTIONS).glob("*.toml"), key=_chapter_position(root)):
@@ -224,7 +228,7 @@ def load_course(root: Path | None = None) -> Course:
     if not chapters:
         raise CourseError(f"{root / QUESTIONS} holds no questions; add a CHAPTER.toml.")
     _reject_duplicates(chapters)
-    return Course(root, tuple(chapters), _read_settings(root, tools))
+    return Course(root, tuple(chapters), _read_settings(root, tools), own_kinds)
 
 
 def _reject_duplicates(chapters: list[Chapter]) -> None:
@@ -285,7 +289,7 @@ def _read_tool_table(root: Path) -> dict[str, Any]:
     return table
 
 
-def _own_kinds(root: Path, table: dict[str, Any]) -> list[str]:
+def _own_kinds(root: Path, table: dict[str, Any]) -> tuple[str, ...]:
     """The packages of the kinds of question that a course brings along."""
     packages = table.pop("kinds", [])
     if not (isinstance(packages, list) and all(isinstance(name, str) for name in packages)):
@@ -293,7 +297,18 @@ def _own_kinds(root: Path, table: dict[str, Any]) -> list[str]:
             f"kinds of [tool.autograder] in {root / 'pyproject.toml'} must be a list of packages, "
             'such as kinds = ["notebooks.kinds.matching"].'
         )
-    return packages
+    return tuple(packages)
+
+
+def _packages(value: Any, where: str) -> tuple[str, ...]:
+    entries = value if isinstance(value, list) else [None]
+    for entry in entries:
+        if not isinstance(entry, str) or not all(p.isidentifier() for p in entry.split(".")):
+            raise CourseError(
+                f"{where} has packages = {value!r}; give names as they are imported, such as "
+                '["pandas"].'
+            )
+    return tuple(entries)
 
 
 def _read_settings(root: Path, table: dict[str, Any]) -> Settings:
@@ -302,6 +317,9 @@ def _read_settings(root: Path, table: dict[str, Any]) -> Settings:
     for name, value in table.items():
         if name not in kinds:
             raise CourseError(f"{where} has {name}, which is none of {', '.join(sorted(kinds))}.")
+        if name == "packages":
+            table = {**table, name: _packages(value, where)}
+            continue
         whole = kinds[name] is int
         # To Python a truth value is an int; not a number is not between anything.
         is_number = isinstance(value, int if whole else int | float) and not isinstance(value, bool)

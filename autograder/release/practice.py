@@ -42,6 +42,12 @@ def practice_files(course: Course, chapters: Collection[str]) -> Iterator[Path]:
                     f"The key to {', '.join(chapters)} needs {module}, which answers {id}; "
                     f"practise {chapter} too (--practice {chapter}), or leave it out."
                 )
+    for package in course.own_kinds:
+        folder = _module_file(course, package).parent
+        yield from (path.relative_to(course.root) for path in sorted(folder.rglob("*.py")))
+        for parent in folder.relative_to(course.root).parents[:-1]:
+            if (course.root / parent / "__init__.py").exists():
+                yield parent / "__init__.py"
     for module in sorted(modules):
         yield _module_file(course, module).relative_to(course.root)
 

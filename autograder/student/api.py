@@ -7,10 +7,11 @@ from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
-from autograder.course import find_course_root, load_course
+from autograder.course import load_course
 from autograder.errors import AutograderError, UsageError
 from autograder.kinds.registry import kind_of
 from autograder.student import unsaved
+from autograder.student.course_path import course_of_notebook, put_course_first
 from autograder.student.desk import Desk
 from autograder.student.frontend import widgets_wanted
 from autograder.student.live import Live
@@ -21,6 +22,7 @@ from autograder.student.views import MarkView, ProgressView, QuestionView, Submi
 
 MISSING: Any = object()
 
+put_course_first()
 unsaved.watch()
 
 
@@ -30,7 +32,7 @@ def _desk_at(root: Path) -> Desk:
 
 
 def _desk() -> Desk:
-    desk = _desk_at(find_course_root())
+    desk = _desk_at(course_of_notebook())
     for sentence in desk.mend():
         print(sentence)
     return desk
