@@ -10,32 +10,34 @@ from typing import Any
 from distributed import Client
 
 from autograder.grading.dask_connection import ClusterError
-from autograder.grading.dask_worker import proof
+from autograder.grading.dask_worker import Wanted, prepare, proof
 
 FIRST_WORKER_SECONDS = 120.0
 ALONE_SECONDS = 300.0  # how long a run waits for a worker after the last has left
 REFUSED_SECONDS = 20.0  # the same, if those that are there were refused
 _LOOK_SECONDS = 2.0
+_NEWCOMER_SECONDS = 0.3
 _MOST_NAMED = 20
 
 
 @dataclass(frozen=True)
 class Member:
-    """One worker: its ``state``, why it was refused, how it isolates, where it runs, its slots."""
+    """One worker: its ``state``, why it was refused, how it isolates, its host and its slots."""
 
     state: str
     reason: str = ""
     isolation: str = ""
-    where: str = ""
+    host: str = ""
     slots: int = 0
 
 
 class Crew:
     """Keeps track of the workers; ``tell`` is given a sentence for each that is refused."""
 
-    def __init__(self, client: Client, plugin: str, tell: Callable[[str], None]) -> None:
-        self._client, self._plugin, self._tell = client, plugin, tell
+    def __init__(self, client: Client, wanted: Wanted, tell: Callable[[str], None]) -> None:
+        self._client, self._wanted, self._tell = client, wanted, tell
         self._members: dict[str, Member] = {}
+        self._names: dict[str, str] = {}
         self._told: set[tuple[str, str]] = set()
         self._worked: dict[str, set[str]] = {}  # isolation: who has it, also those that left
         self._next_look = 0.0
@@ -82,13 +84,8 @@ class Crew:
                 )
             time.sleep(0.1)
 
-    def has_unable(self) -> bool:
-        """Whether a worker cannot load this autograder at all."""
-        answers = self._client.run(proof, self._plugin, on_error="return")
-        return any(_member(answer).state == "refused" for answer in answers.values())
-
     def look_after(self, at_once: bool = False) -> None:
-        """See who has come and gone, now and then.
+        """See who has come and gone, now and then; have newcomers prepare.
 
         Raises:
             ClusterError: if nobody is left, and nobody has come for some time.
@@ -96,18 +93,16 @@ class Crew:
         now = time.monotonic()
         if now < self._next_look and not at_once:
             return
-        self._next_look = now + _LOOK_SECONDS
-        there = self._client.nthreads()
+        there = self._client.scheduler_info(n_workers=-1)["workers"]
+        self._names = {address: str(worker["name"]) for address, worker in there.items()}
         self._members = {address: self._members.get(address, Member("new")) for address in there}
-        unsure = [a for a, member in self._members.items() if member.state in ("new", "preparing")]
-        if unsure:
-            answers = self._client.run(proof, self._plugin, workers=unsure, on_error="return")
-            for address, answer in answers.items():
-                self._members[address] = _member(answer)
+        self._ask(prepare, self._wanted, "new")
+        self._ask(proof, self._wanted.name, "preparing")
         self._note()
         if self.slots:
             self._last_ready = now
         states = {member.state for member in self._members.values()}
+        self._next_look = now + (_NEWCOMER_SECONDS if "preparing" in states else _LOOK_SECONDS)
         patience = REFUSED_SECONDS if states == {"refused"} else ALONE_SECONDS
         if not at_once and now - self._last_ready > patience:
             raise ClusterError(
@@ -115,25 +110,36 @@ class Crew:
                 "run this command again to go on."
             )
 
+    def _ask(self, question: Callable[..., Any], argument: Any, state: str) -> None:
+        """Run a function on every worker that is in a state."""
+        addresses = [a for a, member in self._members.items() if member.state == state]
+        if addresses:
+            answers = self._client.run(question, argument, workers=addresses, on_error="return")
+            for address, answer in answers.items():
+                self._members[address] = _member(answer)
+
     def ask_again(self) -> None:
         """Ask everybody anew at the next look: one of them has withdrawn."""
         for address, member in self._members.items():
             if member.state == "ready":
-                self._members[address] = Member("new", where=member.where)
+                self._members[address] = Member("preparing")
         self._next_look = 0.0
 
     def _note(self) -> None:
         for address, member in self._members.items():
-            name = f"{address} ({member.where})" if member.where else address
             if member.state == "ready":
-                self._worked.setdefault(member.isolation, set()).add(address)
+                self._worked.setdefault(member.isolation, set()).add(self._names[address])
             elif member.state == "refused" and (address, member.reason) not in self._told:
                 self._told.add((address, member.reason))
-                self._tell(f"Worker {name} is refused: {member.reason.rstrip('.')}.")
+                place = f"{address} on {member.host}" if member.host else address
+                self._tell(
+                    f"Worker {self._names[address]} ({place}) is refused: "
+                    f"{member.reason.rstrip('.')}."
+                )
 
     def _reasons(self) -> str:
         reasons = [
-            f"{address}: {member.reason.rstrip('.')}. "
+            f"{self._names[address]}: {member.reason.rstrip('.')}. "
             for address, member in self._members.items()
             if member.state == "refused"
         ]
@@ -142,6 +148,9 @@ class Crew:
 
 
 def _member(answer: Any) -> Member:
+    """What a worker's answer says of it; preparing has none."""
+    if answer is None:
+        return Member("preparing")
     if isinstance(answer, dict):
         return Member(**answer)
     if isinstance(answer, OSError):  # it has just gone, or cannot be reached now

@@ -1,8 +1,8 @@
 """What a Dask worker holds: the proof that it may grade, and a warm sandbox for each of its slots.
 
-The coordinator registers `GradingPlugin`; Dask sets it up on every worker, on those that join late
-and on those that a nanny starts again. Only a worker that has proven itself offers the resource
-that each task asks for, so no other worker is ever given one.
+The coordinator has each worker `prepare`, also those that join late and those that a nanny starts
+again. Only a worker that has proven itself offers the resource that each task asks for, so no other
+worker is ever given one.
 """
 
 from __future__ import annotations
@@ -64,8 +64,6 @@ def software() -> dict[str, str]:
 
 class GradingPlugin(WorkerPlugin):
     """Proves a worker when it is set up, and then keeps the sandboxes of its slots."""
-
-    idempotent = True  # a second coordinator shares what the first has set up
 
     def __init__(self, wanted: Wanted) -> None:
         self.wanted = wanted
@@ -210,12 +208,22 @@ def grade_here(data: bytes, plugin: str) -> bytes:
     return result
 
 
+def prepare(wanted: Wanted, dask_worker: Any = None) -> None:
+    """Have this worker begin to prove itself, unless that was done before; runs on the worker.
+
+    Nothing is left at the scheduler: there it would be set up on everybody's later workers too, and
+    keep those from starting that have no autograder.
+    """
+    if wanted.name not in dask_worker.plugins:
+        plugin = GradingPlugin(wanted)
+        dask_worker.loop.add_callback(dask_worker.plugin_add, plugin=plugin, name=wanted.name)
+
+
 def proof(plugin: str, dask_worker: Any = None) -> dict[str, Any]:
     """Who this worker is and whether it has proven itself; runs on the worker."""
     held = dask_worker.plugins.get(plugin)
     said = {"state": "preparing", "reason": "", "isolation": ""} if held is None else held.proof()
-    where = f"process {os.getpid()} on {socket.gethostname()}"
-    return {**said, "where": where, "slots": dask_worker.state.nthreads}
+    return {**said, "host": socket.gethostname(), "slots": dask_worker.state.nthreads}
 
 
 def rest(plugin: str, dask_worker: Any = None) -> None:
