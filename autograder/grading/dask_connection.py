@@ -38,7 +38,9 @@ def connect(address: ClusterAddress) -> Iterator[Client]:
         ClusterError: if there is no scheduler, or workers cannot be started.
     """
     # What goes wrong is said in one sentence here; Dask would say it at length beside it.
-    logging.getLogger("distributed").setLevel(logging.CRITICAL)
+    for name in list(logging.root.manager.loggerDict):
+        if name.partition(".")[0] == "distributed":  # each has a level of its own
+            logging.getLogger(name).setLevel(logging.CRITICAL)
     with _local(address.local) if address.local else _remote(address.text) as client:
         try:
             yield client
