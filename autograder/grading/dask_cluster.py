@@ -75,6 +75,8 @@ class DaskCluster:
         if self._client is not None and exception[0] is None:
             with suppress(Exception):  # a courtesy: a later run opens them again
                 self._client.run(rest, self._wanted.name)
+        if self._crew is not None:
+            self._crew.close()
         self._sent.clear()
         self._stack.close()
 

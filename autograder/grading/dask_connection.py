@@ -22,6 +22,8 @@ _CLOSE_SECONDS = 5
 _LOCAL = {
     "distributed.scheduler.allowed-failures": DEATHS - 1,
     "distributed.scheduler.worker-ttl": "60s",
+    # On a busy machine a nanny needs long to start a worker again; it is not to be given up.
+    "distributed.deploy.lost-worker-timeout": "10m",
     "distributed.worker.profile.enabled": False,
 }
 
@@ -84,6 +86,7 @@ def _local(workers: int) -> Iterator[Client]:
     # Workers are started as `python -c ...`, which would import from the current folder first, and
     # that may be a submission's.
     os.environ["PYTHONSAFEPATH"] = "1"
+    os.environ.setdefault("DASK_LOGGING__DISTRIBUTED", "critical")  # for the workers
     dashboard = "127.0.0.1:0" if importlib.util.find_spec("bokeh") else None
     with dask.config.set(_LOCAL):
         try:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
+from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
 from typing import Any
 
@@ -42,6 +43,9 @@ class Crew:
         self._worked: dict[str, set[str]] = {}  # isolation: who has it, also those that left
         self._next_look = 0.0
         self._last_ready = time.monotonic()
+        self._started = self._doubtful = False
+        self._beside = ThreadPoolExecutor(1, "crew")
+        self._look: Future[None] | None = None
 
     @property
     def slots(self) -> int:
@@ -70,11 +74,12 @@ class Crew:
         """
         deadline = time.monotonic() + FIRST_WORKER_SECONDS
         while True:
-            self.look_after(at_once=True)
-            states = [member.state for member in self._members.values()]
+            self.look_after()
+            states = [member.state for member in list(self._members.values())]
             if "ready" in states:
+                self._started, self._last_ready = True, time.monotonic()
                 return
-            if states and set(states) == {"refused"}:
+            if self._look is None and states and set(states) == {"refused"}:
                 raise ClusterError(f"No worker can be used. {self._reasons()}")
             if time.monotonic() > deadline:
                 raise ClusterError(
@@ -82,47 +87,66 @@ class Crew:
                     if not states
                     else "The workers do not get ready; look at what they print."
                 )
-            time.sleep(0.1)
+            time.sleep(0.05)
 
-    def look_after(self, at_once: bool = False) -> None:
+    def look_after(self) -> None:
         """See who has come and gone, now and then; have newcomers prepare.
+
+        The look itself goes on beside, since a worker that hangs takes long to answer.
 
         Raises:
             ClusterError: if nobody is left, and nobody has come for some time.
         """
         now = time.monotonic()
-        if now < self._next_look and not at_once:
+        if self._look is None:
+            if now >= self._next_look:
+                self._look = self._beside.submit(self._see)
             return
-        there = self._client.scheduler_info(n_workers=-1)["workers"]
-        self._names = {address: str(worker["name"]) for address, worker in there.items()}
-        self._members = {address: self._members.get(address, Member("new")) for address in there}
-        self._ask(prepare, self._wanted, "new")
-        self._ask(proof, self._wanted.name, "preparing")
+        if not self._look.done():
+            return
+        look, self._look = self._look, None
+        look.result()
         self._note()
         if self.slots:
             self._last_ready = now
         states = {member.state for member in self._members.values()}
-        self._next_look = now + (_NEWCOMER_SECONDS if "preparing" in states else _LOOK_SECONDS)
+        hurry = not self.slots or "preparing" in states
+        self._next_look = now + (_NEWCOMER_SECONDS if hurry else _LOOK_SECONDS)
         patience = REFUSED_SECONDS if states == {"refused"} else ALONE_SECONDS
-        if not at_once and now - self._last_ready > patience:
+        if self._started and now - self._last_ready > patience:
             raise ClusterError(
                 f"No worker is left. {self._reasons()}What was graded is kept; start workers and "
                 "run this command again to go on."
             )
+
+    def close(self) -> None:
+        """Look no more."""
+        self._beside.shutdown(wait=False, cancel_futures=True)
+
+    def _see(self) -> None:
+        there = self._client.scheduler_info(n_workers=-1)["workers"]
+        self._names |= {address: str(worker["name"]) for address, worker in there.items()}
+        members = {a: self._members.get(a, Member("new")) for a in there}
+        if self._doubtful:
+            self._doubtful = False
+            members = {
+                a: Member("preparing") if member.state == "ready" else member
+                for a, member in members.items()
+            }
+        self._members = members
+        self._ask(prepare, self._wanted, "new")
+        self._ask(proof, self._wanted.name, "preparing")
 
     def _ask(self, question: Callable[..., Any], argument: Any, state: str) -> None:
         """Run a function on every worker that is in a state."""
         addresses = [a for a, member in self._members.items() if member.state == state]
         if addresses:
             answers = self._client.run(question, argument, workers=addresses, on_error="return")
-            for address, answer in answers.items():
-                self._members[address] = _member(answer)
+            self._members = {**self._members, **{a: _member(said) for a, said in answers.items()}}
 
     def ask_again(self) -> None:
         """Ask everybody anew at the next look: one of them has withdrawn."""
-        for address, member in self._members.items():
-            if member.state == "ready":
-                self._members[address] = Member("preparing")
+        self._doubtful = True
         self._next_look = 0.0
 
     def _note(self) -> None:
