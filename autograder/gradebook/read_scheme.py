@@ -8,11 +8,11 @@ from itertools import pairwise
 from typing import Any
 
 from autograder.course import Course
-from autograder.course.toml_table import Table
 from autograder.errors import CourseError, UsageError
 from autograder.gradebook.lookup import find_record
 from autograder.gradebook.record import Record
 from autograder.gradebook.scheme import Curve, Scheme, plain_scheme
+from autograder.kinds.toml_table import Table
 
 RESUBMISSION = ("newest", "best", "mean")
 

@@ -49,15 +49,22 @@ class ClassView:
         return [record for record in self.records if record.open]
 
 
-def view_class(course: Course, book: Gradebook, class_list: ClassList) -> ClassView:
+def view_class(
+    course: Course,
+    book: Gradebook,
+    class_list: ClassList,
+    proposed: str | None = None,
+    where: str = "the grading.toml that was accepted",
+) -> ClassView:
     """Everything about a class, as it was last decided.
 
+    ``proposed`` is the text of a grading.toml to see it by instead, and ``where`` its name.
+
     Raises:
-        CourseError: if the scheme that was accepted names what the course no longer has.
+        CourseError: if the scheme names what the course or the class does not have.
     """
-    text = book.setting(SCHEME) or ""
+    text = (book.setting(SCHEME) or "") if proposed is None else proposed
     records, matches = with_people(book.records(), class_list)
-    where = "the grading.toml that was accepted"
     scheme = read_scheme(text, course, records, where) if text else plain_scheme(course)
     if text:
         records = [replace(record, scheme=scheme) for record in records]

@@ -36,7 +36,8 @@ def parse_address(text: str) -> ClusterAddress:
         )
     if importlib.util.find_spec("distributed") is None:
         raise UsageError(
-            "--cluster needs Dask, which is not installed: pip install "
-            "'course-autograder[cluster]', or, in a clone, uv run --extra cluster autograder ..."
+            "--cluster needs Dask, which is not installed: "
+            "pip install 'course-autograder[cluster]', or in the course's folder "
+            "uv run --extra cluster autograder grade ..."
         )
     return ClusterAddress(text, int(local[1]) if local else 0)

@@ -15,6 +15,7 @@ import threading
 from contextlib import suppress
 from dataclasses import dataclass
 from importlib.metadata import PackageNotFoundError, version
+from importlib.util import find_spec
 from pathlib import Path
 from queue import Empty, SimpleQueue
 from typing import Any
@@ -252,6 +253,9 @@ def _compare(wanted: Wanted, course: Course) -> None:
             f"its course in {course.root} or its autograder is another version "
             f"({course.version}, not {wanted.version}); bring both up to date there"
         )
+    for name in course.settings.packages:
+        if not find_spec(name.partition(".")[0]):
+            raise Refused(f"it lacks the package {name} that the course allows; install it there")
     here = software()
     for name, expected in wanted.software.items():
         if here.get(name) != expected:

@@ -16,7 +16,7 @@ from autograder.marking.snapshots import SNAPSHOTS
 from autograder.release.files import student_files
 from autograder.release.leaks import leaks
 from autograder.release.practice import PRACTICE, practice_files
-from autograder.release.pyproject import bundle_pyproject
+from autograder.release.pyproject import bundle_pyproject, kinds_setting
 from autograder.release.readme import student_readme
 from autograder.release.take_snapshots import chapter_snapshots
 
@@ -66,6 +66,9 @@ def release(
         _write(folder / ".gitignore", ".venv/\n__pycache__/\nresponses/\nsubmission.zip\nuv.lock\n")
         for file in practised:
             _copy(course.root / file, folder / PRACTICE / file)
+        if practised and course.own_kinds:
+            text = "\n".join(["[tool.autograder]", *kinds_setting(course)]) + "\n"
+            _write(folder / PRACTICE / "pyproject.toml", text)
         report("looking for answers")
         found = next(leaks(course, folder, practice), None)
         if found is not None:

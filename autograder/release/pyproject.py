@@ -69,9 +69,16 @@ def bundle_pyproject(course: Course, suffix: str) -> str:
         for field in fields(Settings)
         if getattr(course.settings, field.name) != field.default
     }
-    if limits:
-        lines += ["", "[tool.autograder]", *(f"{name} = {value}" for name, value in limits.items())]
+    kinds = kinds_setting(course)
+    if limits or kinds:
+        settings = [f"{name} = {value}" for name, value in limits.items()]
+        lines += ["", "[tool.autograder]", *settings, *kinds]
     return "\n".join(lines) + "\n"
+
+
+def kinds_setting(course: Course) -> list[str]:
+    """The setting that names the kinds of question which a course brings along, if it does."""
+    return [f"kinds = {json.dumps(course.own_kinds)}"] if course.own_kinds else []
 
 
 def engine_requirements() -> dict[str, list[str]]:

@@ -5,8 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from autograder.course import Course
-from autograder.course.questions import Order, Question, TrueFalse
+from autograder.course.questions import Question
 from autograder.gradebook.record import Override, Record
+from autograder.kinds.registry import kind_of
 from autograder.marking import Mark, Part
 from autograder.marking.mark import status_for
 from autograder.reports.machine import most_for
@@ -140,12 +141,22 @@ def _question(shared: Feedback, record: Record, question: Question) -> str:
         lines += _understood(question, mark)
         if mark.status != "recorded":
             lines.append(_feedback(mark))
+        if mark.told:
+            lines.append(f'<p class="label">It raised</p><p class="said">{text(mark.told)}</p>')
         lines += _parts(question, mark)
+        if mark.code:
+            lines.append(_code(mark.code))
         lines.append(shared.pictures.html(question.id, mark, record.seed))
         if shared.explanations and mark.full_explanation:
             why = markdown(mark.full_explanation)
             lines.append(f'<div class="explained"><h4>Why</h4>{why}</div>')
     return "\n".join(line for line in [*lines, "</article>"] if line)
+
+
+def _code(code: str) -> str:
+    """The cell that holds the response, folded, with the lines' numbers that exceptions name."""
+    rows = "".join(f"<li>{text(line) or ' '}</li>" for line in code.splitlines())
+    return f'<details><summary>Your code</summary><ol class="code">{rows}</ol></details>'
 
 
 def _override(override: Override, mark: Mark | None) -> str:
@@ -177,17 +188,9 @@ def _understood(question: Question, mark: Mark) -> list[str]:
     if not mark.understood or mark.status == "not attempted":
         return []
     label = '<p class="label">Your response was read as</p>'
-    if isinstance(question, TrueFalse):
-        said = [word.strip() for word in mark.understood.split(",")]
-        said += ["–"] * (len(question.statements) - len(said))
-        rows = "".join(
-            f"<li>{inline(statement)} <strong>{text(word)}</strong></li>"
-            for statement, word in zip(question.statements, said, strict=False)
-        )
-        return [label, f"<ol>{rows}</ol>"]
-    if isinstance(question, Order):
-        steps = "".join(f"<li>{inline(step)}</li>" for step in mark.understood.split(" › "))
-        return [label, f"<ol>{steps}</ol>"]
+    read_as = kind_of(question).read_as(question, mark)
+    if read_as is not None:
+        return [label, f"<ol>{''.join(f'<li>{inline(line)}</li>' for line in read_as)}</ol>"]
     return [label, f'<p class="said">{text(mark.understood)}</p>']
 
 
@@ -201,8 +204,9 @@ def _feedback(mark: Mark) -> str:
 
 
 def _parts(question: Question, mark: Mark) -> list[str]:
+    kind = kind_of(question)
     wrong = [part for part in mark.parts if part.feedback and part.right is not True]
-    if isinstance(question, TrueFalse):
+    if kind.parts_stand_alone:
         entries = [
             f"<li>{text(part.label)}: {markdown(part.feedback)[3:-4]}</li>"
             if markdown(part.feedback).count("<p>") == 1
@@ -213,7 +217,7 @@ def _parts(question: Question, mark: Mark) -> list[str]:
     if all(part.right for part in mark.parts):
         return []
     return [
-        f'<p class="label">{"Cards" if isinstance(question, Order) else "Kinds of input"}</p>',
+        f'<p class="label">{text(kind.parts_heading)}</p>',
         f"<ul>{''.join(_part(part) for part in mark.parts)}</ul>",
     ]
 

@@ -16,7 +16,6 @@ import numpy as np
 import sympy as sp
 
 import data
-from autograder import ask, check, progress, submit
 from notebooks import figures
 from notebooks.explorers import explore_cloud, explore_polar_line
 

@@ -18,7 +18,6 @@ import numpy as np
 import sympy as sp
 
 import data
-from autograder import ask, check, progress, submit
 from notebooks import figures
 from notebooks.explorers import explore_ransac, explore_ransac_steps
 

@@ -14,13 +14,16 @@ import pytest
 from packaging.requirements import Requirement
 
 from autograder.course import Course, load_course
-from autograder.course.answers import ExpressionAnswer, FunctionAnswer
-from autograder.course.formula import evaluate_formula
 from autograder.errors import CourseError, UsageError
+from autograder.kinds.expression.answer import ExpressionAnswer
+from autograder.kinds.expression.formula import evaluate_formula
+from autograder.kinds.function.answer import FunctionAnswer
+from autograder.kinds.registry import kind_of
 from autograder.marking.make_probe import load_object
-from autograder.marking.snapshots import SnapshotMarker, pack, unpack
+from autograder.marking.pack import pack, unpack
+from autograder.marking.snapshots import SnapshotMarker
 from autograder.release.bundle import release
-from autograder.release.leaks import leaks, secrets
+from autograder.release.leaks import leaks
 from autograder.sandbox.inside.evaluate import evaluate
 from tests.classroom import SECRETS, copy_course, make_course, notebook
 
@@ -66,8 +69,9 @@ def test_nothing_of_the_real_key_is_in_the_real_bundle(course: Course, bundle: P
     # Written again without the release's own search: whole texts, as they stand in the key.
     text = everything(bundle)
     escaped = json.dumps(text)
-    for answer in course.key.values():
-        for secret in secrets(answer):
+    for id, answer in course.key.items():
+        question = course.question(id)
+        for secret in kind_of(question).secrets(question, answer):
             if len(secret) >= 16:
                 assert secret not in text
                 assert json.dumps(secret)[1:-1] not in escaped

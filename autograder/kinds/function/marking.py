@@ -9,11 +9,11 @@ from typing import Any
 
 import numpy as np
 
-from autograder.course.answers import FunctionAlternative, FunctionAnswer
-from autograder.course.questions import Function
+from autograder.exchange.reasons import REASONS
+from autograder.kinds.function.answer import FunctionAlternative, FunctionAnswer
+from autograder.kinds.function.question import Function
+from autograder.kinds.function.shown import shown_outcome
 from autograder.marking.mark import Mark, Part, status_for
-from autograder.marking.shown import shown_outcome
-from autograder.sandbox.inside.evaluate import REASONS
 
 Outcome = dict[str, Any]
 Compare = Callable[[dict[str, Any], Any, Any], bool]

@@ -15,6 +15,7 @@ from contextlib import suppress
 from pathlib import Path
 from types import ModuleType
 
+from autograder.sandbox.inside.evaluate import load_kinds
 from autograder.sandbox.inside.notebook import Notebook
 
 _LIBRARIES = (
@@ -67,7 +68,7 @@ def warm(with_course: bool) -> Notebook:
 
     Only in a sandbox ``with_course``, which imports what a folder of that name holds.
     """
-    for name in _LIBRARIES:
+    for name in (*_LIBRARIES, *os.environ.get("AUTOGRADER_PACKAGES", "").split()):
         with suppress(Exception):
             importlib.import_module(name)
     for name in _course_modules() if with_course else ():
@@ -75,6 +76,7 @@ def warm(with_course: bool) -> Notebook:
             importlib.import_module(name)
     if "cv2" in sys.modules:
         sys.modules["cv2"].setNumThreads(1)  # its threads would not be there after a fork
+    load_kinds()
     notebook = Notebook()
     notebook.run(list(_CELLS), ["f", "x", "figure"])
     if with_course and _asks_in_its_notebooks():
