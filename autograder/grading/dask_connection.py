@@ -25,6 +25,7 @@ _LOCAL = {
     # On a busy machine a nanny needs long to start a worker again; it is not to be given up.
     "distributed.deploy.lost-worker-timeout": "10m",
     "distributed.worker.profile.enabled": False,
+    "distributed.worker.preload": ["autograder.grading.dask_worker"],
 }
 
 

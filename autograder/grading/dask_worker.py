@@ -10,6 +10,7 @@ from __future__ import annotations
 import asyncio
 import os
 import platform
+import signal
 import socket
 import threading
 from contextlib import suppress
@@ -201,6 +202,11 @@ class Slots:
     def _end(self, sandbox: Sandbox) -> None:
         sandbox.stop()
         self._open.discard(sandbox)
+
+
+def dask_setup(worker: Worker) -> None:
+    """What a worker of ``--cluster local:N`` does first: leave Ctrl-C to the coordinator."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
 
 
 def grade_here(data: bytes, plugin: str) -> bytes:
