@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from autograder.student.api import ask, check, progress, submit
 
+__version__ = "0.1.0"
 __all__ = ["ask", "check", "progress", "submit"]
 
 

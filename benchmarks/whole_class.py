@@ -24,7 +24,10 @@ from pathlib import Path
 import numpy as np
 
 from autograder.course import Course, load_course
-from autograder.course.answers import ExpressionAnswer, NumberAnswer, OrderAnswer, TrueFalseAnswer
+from autograder.kinds.expression.answer import ExpressionAnswer
+from autograder.kinds.number.answer import NumberAnswer
+from autograder.kinds.order.answer import OrderAnswer
+from autograder.kinds.true_false.answer import TrueFalseAnswer
 from solutions.make_sample_class import Work
 
 ROOT = Path(__file__).parents[1]

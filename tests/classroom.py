@@ -9,7 +9,7 @@ from typing import Any
 
 from autograder.course import Course, load_course
 from autograder.gradebook import Gradebook
-from autograder.grading.submission import Graded
+from autograder.grading.graded import Graded
 from autograder.intake.submissions import Submission
 from autograder.marking import Mark, Part
 

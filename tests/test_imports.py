@@ -120,7 +120,51 @@ def test_the_trusted_side_runs_no_text_and_unpickles_nothing(path):
     assert "shell=True" not in text
 
 
-def test_marking_and_the_key_do_not_import_sympy():
+def test_the_trusted_side_does_not_import_sympy():
     """Whose parser executes what it reads; only the student's process needs it."""
-    for path in [*sources("autograder/marking"), ROOT / "autograder/course/formula.py"]:
+    for path in TRUSTED:
         assert "sympy" not in {name.partition(".")[0] for name in imported(path)}, path
+
+
+KINDS = sorted(path.parent.name for path in (ROOT / "autograder/kinds").glob("*/kind.py"))
+ENGINE = [
+    path
+    for path in sources("autograder")
+    if not any(ROOT / "autograder/kinds" / kind in path.parents for kind in KINDS)
+]
+
+
+def test_every_folder_of_kinds_is_a_kind():
+    folders = {path.parent.name for path in (ROOT / "autograder/kinds").glob("*/__init__.py")}
+    assert folders == set(KINDS)
+    assert len(KINDS) == 5
+
+
+@pytest.mark.parametrize("path", ENGINE, ids=lambda path: str(path.relative_to(ROOT)))
+def test_the_engine_names_no_kind_of_question(path):
+    """A new kind is a new folder: nothing outside of `kinds` tells one kind from another."""
+    of_a_kind = tuple(f"autograder.kinds.{kind}" for kind in KINDS)
+    assert not [name for name in imported(path) if name.startswith(of_a_kind)]
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        match node:
+            case ast.Compare(left=ast.Attribute(attr="kind"), comparators=[ast.Constant(value=v)]):
+                assert v not in KINDS
+
+
+def test_a_kind_knows_no_other_kind():
+    for kind in KINDS:
+        for path in sources(f"autograder/kinds/{kind}"):
+            others = tuple(f"autograder.kinds.{other}." for other in KINDS if other != kind)
+            assert not [name for name in imported(path) if name.startswith(others)], path
+
+
+def test_what_a_kind_runs_beside_the_student_imports_nothing_of_the_trusted_side():
+    """But what it needs to read a formula that was typed: the question, never the key."""
+    trusted = ("course", "gradebook", "grading", "intake", "marking", "release", "reports", "cli")
+    for path in sources("autograder/kinds"):
+        if "inside" not in path.parts:
+            continue
+        names = {name for name in imported(path) if name.startswith("autograder.")}
+        wrong = {name for name in names if name.split(".")[1] in trusted}
+        assert wrong <= {"autograder.course"}, path
+        assert not [name for name in names if name.endswith((".answer", ".marking", ".kind"))]

@@ -19,12 +19,25 @@ from nbclient.exceptions import CellExecutionError
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
 
 from autograder.authoring.masters import Master, MasterCell, read_masters
-from autograder.authoring.stubs import exercise_cells
 from autograder.course import DEMO, Course
 from autograder.errors import CourseError
+from autograder.kinds.registry import kind_of
 
 STUDENT = Path("notebooks")
 SOLVED = Path("solutions/notebooks")
+START_ID = "start"
+# A package of this name on PyPI is another project; whoever installs that is told the same.
+START = """\
+# Run this cell first.
+try:
+    from autograder import ask, check, progress, submit
+except ImportError:
+    raise ImportError(
+        "The course is not installed for this kernel, and PyPI does not have it. "
+        "In a terminal, go to the course's folder, which holds pyproject.toml, and type: "
+        "pip install uv && uv run --extra lab jupyter lab. Then open this notebook there. "
+        "On a hosted server, run %pip install -e .. here and restart the kernel."
+    ) from None"""
 _KERNEL = {
     "kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
     "language_info": {"name": "python"},
@@ -109,14 +122,18 @@ def _assemble(course: Course, master: Master, solved: bool) -> Any:
     """The notebook's cells, each with an id that stays the same when others come or go."""
     notebook = new_notebook(metadata=_KERNEL)
     taken: Counter[str] = Counter()
+    begun = False
     for cell in master.cells:
+        if not begun and cell.kind == "code":
+            notebook.cells.append(new_code_cell(START, id=START_ID))
+            begun = True
         if cell.exercise is None:
             make = new_markdown_cell if cell.kind == "markdown" else new_code_cell
             metadata = {"tags": [DEMO]} if cell.demo else {}
             notebook.cells.append(make(cell.source, id=_cell_id(cell, taken), metadata=metadata))
             continue
         question = course.question(cell.exercise)
-        exercise = exercise_cells(course, question)
+        exercise = kind_of(question).exercise(question, course.key[question.id], course.root)
         slug = question.id.replace(".", "-")
         notebook.cells.append(new_markdown_cell(exercise.heading, id=f"{slug}-question"))
         source = exercise.solved if solved else exercise.stub

@@ -13,24 +13,19 @@ import re
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
-import numpy as np
-
 from autograder.authoring.build import build_student_notebooks, unexecuted_solved_notebooks
 from autograder.course import ANSWERS, QUESTIONS, Course, load_course
-from autograder.course import answers as a
-from autograder.course import questions as q
-from autograder.course.formula import evaluate_formula
+from autograder.course.answers import Answer
+from autograder.course.questions import Question
 from autograder.errors import AutograderError
 from autograder.grading.submission import grade_contents
 from autograder.intake.submissions import Contents, Notebook
-from autograder.kinds.order.marking import transitive_closure
-from autograder.marking import Mark
+from autograder.kinds.registry import kind_of
 from autograder.marking.marker import Marker
 from autograder.sandbox.launcher import Sandbox
 
 # Hidden inputs are random: what holds for one draw must hold for others.
 SEEDS = (1, 2, 3)
-FEWEST_MISTAKES = 2
 
 
 def prove_course(
@@ -89,67 +84,25 @@ def _contents(texts: list[str], course: Course) -> Contents:
     return Contents(notebooks)
 
 
-def _prove_answer(course: Course, question: q.Question, answer: a.Answer) -> Iterator[str]:
-    if isinstance(question, q.Order) and isinstance(answer, a.OrderAnswer):
-        yield from _prove_order(question, answer)
-    elif not isinstance(question, q.TrueFalse):
-        mistakes = [entry for entry in answer.alternatives if entry.is_mistake]
-        if len(mistakes) < FEWEST_MISTAKES:
-            yield (
-                f"{question.id}: {len(mistakes)} known mistakes; "
-                f"name at least {FEWEST_MISTAKES}, with feedback."
-            )
-        if isinstance(answer, a.FunctionAnswer):
-            for entry in answer.alternatives:
-                if not entry.is_mistake:
-                    yield f"{question.id}: the mistake {entry.name!r} gets full credit; lower it."
-        elif len(mistakes) == len(answer.alternatives):
-            yield f"{question.id}: no alternative has full credit; add the right one."
-        for seed in SEEDS if not isinstance(answer, a.NumberAnswer) else SEEDS[:1]:
-            for alternative in answer.alternatives:
-                mark = _mark_of_alternative(course, question, answer, alternative, seed)
-                if mark.alternative != alternative.name:
-                    yield (
-                        f"{question.id}: the alternative {alternative.name!r} is taken for "
-                        f"{mark.alternative!r} and gets {mark.credit:g} credit; "
-                        "correct it, or choose inputs that tell the two apart."
-                    )
-
-
-def _mark_of_alternative(
-    course: Course, question: q.Question, answer: a.Answer, alternative: a.Alternative, seed: int
-) -> Mark:
-    """What a response gets that is this alternative."""
-    marker = Marker(course, seed)
-    probe = marker.probe(question.id)
-    response: dict[str, object] = {"state": "given"}
-    if isinstance(alternative, a.NumberAlternative):
-        response["value"] = alternative.value
-    elif isinstance(alternative, a.ExpressionAlternative):
-        count = len(next(iter(probe.points.values())))
-        values = evaluate_formula(alternative.expression, probe.points)
-        response["values"] = np.broadcast_to(values, (count,)).astype(complex)
-    else:
-        assert probe.expected is not None
-        outcomes = {entry.name: found for entry, found in probe.expected.mistakes}
-        response["outcomes"] = list(outcomes[alternative.name])
-    return marker.mark(question.id, response)
-
-
-def _prove_order(question: q.Order, answer: a.OrderAnswer) -> Iterator[str]:
-    after = transitive_closure(answer.before)
-    if not any(
-        earlier in after.get(later, ())
-        for position, later in enumerate(question.start)
-        for earlier in question.start[:position]
-    ):
-        yield f"{question.id}: the cards are dealt in a right order; shuffle them."
-    for entry in answer.alternatives:
-        if entry.first not in after.get(entry.second, ()):
-            yield (
-                f"{question.id}: the mistake {entry.name!r} is none: "
-                f"{entry.first!r} may stand before {entry.second!r}."
-            )
+def _prove_answer(course: Course, question: Question, answer: Answer) -> Iterator[str]:
+    kind = kind_of(question)
+    for problem in kind.problems(question, answer):
+        yield f"{question.id}: {problem}"
+    found: dict[str, None] = {}  # a problem that several draws show is told once
+    for seed in SEEDS:
+        marker = Marker(course, seed)
+        for alternative in answer.alternatives:
+            response = kind.response_like(question, alternative, marker.probe(question.id))
+            if response is None:
+                continue
+            mark = marker.mark(question.id, response)
+            if mark.alternative != alternative.name:
+                found[
+                    f"{question.id}: the alternative {alternative.name!r} is taken for "
+                    f"{mark.alternative!r} and gets {mark.credit:g} credit; "
+                    "correct it, or choose inputs that tell the two apart."
+                ] = None
+    yield from found
 
 
 def _misplaced_files(course: Course) -> Iterator[str]:
@@ -188,33 +141,15 @@ def _leaks(course: Course, student_notebooks: list[str]) -> Iterator[str]:
         title = "".join(cells[0]["source"]).partition("\n")[0].strip("# ")
         texts[f"the notebook “{title}”"] = "\n".join("".join(cell["source"]) for cell in cells)
     for id, answer in course.key.items():
-        patterns = [re.escape(secret) for secret in _secrets(answer) if len(secret) > 8]
         question = course.questions[id]
-        if isinstance(question, q.Number):
-            patterns += [
-                rf"(?<![\w.]){re.escape(_printed(question, entry.value))}(?![\w]|\.\d)"
-                for entry in answer.alternatives
-                if not entry.is_mistake
-            ]
+        kind = kind_of(question)
+        patterns = [re.escape(s) for s in kind.secrets(question, answer) if len(s) > 8]
+        patterns += [
+            rf"(?<![\w.]){re.escape(number)}(?![\w]|\.\d)"
+            for number in kind.secret_numbers(question, answer)
+        ]
         for pattern in patterns:
             for name, text in texts.items():
                 found = re.search(pattern, text)
                 if found:
                     yield f"{id}: {name} contains {found[0][:60]!r}, which is in the key."
-
-
-def _secrets(answer: a.Answer) -> Iterator[str]:
-    yield answer.explanation
-    yield answer.code
-    for alternative in answer.alternatives:
-        yield alternative.feedback
-        if isinstance(alternative, a.ExpressionAlternative) and not alternative.is_mistake:
-            yield alternative.expression
-    if isinstance(answer, a.TrueFalseAnswer):
-        for statement in answer.statements:
-            yield statement.explanation
-            yield statement.misconception
-
-
-def _printed(question: q.Number, value: float) -> str:
-    return f"{value:.0f}" if question.integer else f"{value:.{question.decimals}f}"

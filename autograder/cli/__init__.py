@@ -8,17 +8,21 @@ from __future__ import annotations
 
 import argparse
 import os
+import platform
 import sys
 from collections.abc import Sequence
 from pathlib import Path
 
 from rich.console import Console
 
+from autograder import __version__
 from autograder.cli import (
+    adjust,
     build,
     check,
     doctor,
     export,
+    feedback,
     grade,
     note,
     override,
@@ -34,7 +38,7 @@ __all__ = ["BROKEN", "DONE", "WRONG_USAGE", "main"]
 
 _COMMANDS = (
     *(grade, regrade, show, override, note),
-    *(export, similar, release),
+    *(adjust, export, feedback, similar, release),
     *(check, build, doctor),
 )
 
@@ -68,9 +72,16 @@ def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="autograder",
         description="Mark a course, see how the class did, and write the notebooks.",
+        epilog="AUTOGRADER_COURSE names the course's folder where --course is not given. "
+        "All environment variables are described in docs/engine.md.",
     )
     parser.add_argument(
         "--course", type=Path, metavar="DIR", help="the course's folder (default: found from here)"
+    )
+    parser.add_argument(
+        "--version",
+        action="version",
+        version=f"autograder {__version__} (Python {platform.python_version()})",
     )
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
     for command in _COMMANDS:

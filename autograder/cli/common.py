@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import getpass
 import json
 import os
 from pathlib import Path
@@ -52,6 +53,11 @@ def add_grading(command: argparse.ArgumentParser) -> None:
         "--jobs", type=_positive, default=os.cpu_count() or 1, metavar="N", help="how many at once"
     )
     command.add_argument(
+        "--cluster",
+        metavar="ADDRESS",
+        help="grade on a Dask cluster: a scheduler such as tcp://lab-1:8786, or local:N workers",
+    )
+    command.add_argument(
         "--question", action="append", metavar="ID", help="mark only this question (repeatable)"
     )
     command.add_argument(
@@ -72,6 +78,16 @@ def add_grading(command: argparse.ArgumentParser) -> None:
     )
     add_class_list(command)
     add_json(command)
+
+
+def add_author(command: argparse.ArgumentParser) -> None:
+    """Who decides: kept beside the decision, so that two can share the work."""
+    command.add_argument(
+        "--author",
+        default=os.environ.get("AUTOGRADER_AUTHOR") or _user(),
+        metavar="NAME",
+        help="who decides this (default: AUTOGRADER_AUTHOR, or your login here)",
+    )
 
 
 def add_class_list(command: argparse.ArgumentParser) -> None:
@@ -106,6 +122,13 @@ def find_class_list(parsed: argparse.Namespace, book: Gradebook) -> ClassList:
 def print_json(value: Any) -> None:
     """Write JSON to standard output; other characters than ASCII are escaped."""
     print(json.dumps(value, indent=1))
+
+
+def _user() -> str:
+    try:
+        return getpass.getuser()
+    except (OSError, KeyError, ImportError):  # no such user in the system, as in a container
+        return ""
 
 
 def _positive(text: str) -> int:

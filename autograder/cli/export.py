@@ -38,15 +38,25 @@ def add(commands: Commands) -> None:
 
 def run(parsed: argparse.Namespace, console: Console) -> int:
     """Write the export, and name the work that belongs to nobody in the class list."""
-    from autograder.gradebook import Gradebook
+    from autograder.gradebook import Gradebook, view_class
     from autograder.reports import exports
+    from autograder.reports.stale import require_current
     from autograder.reports.terminal import warn
 
     course = load(parsed)
     with Gradebook(gradebook_path(parsed), create=False) as book:
-        records = book.records()
         class_list = find_class_list(parsed, book)
+        view = view_class(course, book, class_list)
         explanations = book.setting("explanations") == "yes"
+    records = view.records
+    if said := require_current(course, records):
+        warn(said)
+    waiting = [f"{record.name} ({', '.join(record.open)})" for record in view.open]
+    if waiting:
+        warn(
+            f"{len(waiting)} students have questions that wait for a person, and no grade yet: "
+            f"{_some(waiting)}. See `autograder mark`."
+        )
     if parsed.format == "gradescope":
         from autograder.release.gradescope.package import write_gradescope
 
@@ -71,18 +81,20 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
     }[parsed.format]
     left = write(path, course, class_list, records)
     if left and class_list.students:
-        names = ", ".join(record.student for record in left[:10])
         warn(
-            f"{len(left)} submissions belong to nobody in the class list: {names}"
-            + (", ..." if len(left) > 10 else "")
-            + ". Give their students a `submission` there."
+            f"{len(left)} submissions belong to nobody in the class list: "
+            f"{_some([record.student for record in left])}. Nobody gets their points."
         )
-    missing = [student for student, record in exports.match(class_list, records)[0] if not record]
-    if missing:
-        names = ", ".join(student.name for student in missing[:10])
-        warn(
-            f"{len(missing)} students handed in nothing: {names}"
-            + (", ..." if len(missing) > 10 else ".")
-        )
+        for record in left:
+            match = view.matches[record.student]
+            if match.line:
+                warn(f"{record.student}: {match.reason}. In students.toml: {match.line}")
+    if view.missing:
+        names = [person.name for person in view.missing]
+        warn(f"{len(names)} students handed in nothing: {_some(names)}.")
     console.print(f"{path} is written.", markup=False, soft_wrap=True)
     return DONE
+
+
+def _some(names: list[str]) -> str:
+    return ", ".join(names[:10]) + (", ..." if len(names) > 10 else "")

@@ -6,15 +6,21 @@ import argparse
 import secrets
 import time
 from functools import partial
+from importlib.util import find_spec
 
 from rich.console import Console
 
 from autograder.cli.common import find_class_list, print_json
 from autograder.cli.status import DONE
 from autograder.course import Course
-from autograder.gradebook import Gradebook, Record, Run
+from autograder.errors import CourseError
+from autograder.gradebook import Gradebook, Record, Run, view_class
 from autograder.grading.changes import Change, changes
-from autograder.grading.submission import Graded, grade_all
+from autograder.grading.dask_address import parse_address
+from autograder.grading.graded import Graded
+from autograder.grading.spread import Spread
+from autograder.grading.threads import Threads
+from autograder.grading.whole_class import grade_class
 from autograder.intake.class_list import handed_in_at
 from autograder.intake.submissions import Submission
 from autograder.marking.marker import Marker
@@ -23,6 +29,8 @@ from autograder.reports.pictures import Pictures
 from autograder.reports.terminal import print_changes, print_table, progress_bar, warn
 from autograder.reports.write import Options, write_reports
 from autograder.sandbox.launcher import NO_SANDBOX, Isolation, isolation_text
+
+ON_A_CLUSTER = "unknown, on a cluster that has not answered yet"
 
 
 def grade_and_report(
@@ -37,10 +45,11 @@ def grade_and_report(
     # What is broken is said before anything runs.
     find_class_list(parsed, book)
     Pictures(course)
+    _require_packages(course)
+    address = None if parsed.cluster is None else parse_address(parsed.cluster)
     questions = frozenset(course.question(id).id for id in parsed.question or ()) or None
     before = {record.student: record for record in book.records()}
     isolation: Isolation = "none" if parsed.no_sandbox else "auto"
-    jobs = min(parsed.jobs, len(submissions))
     run = _choose_run(parsed, course, book, regrade, isolation)
     marker = Marker(course, run.seed)
     known = None
@@ -57,9 +66,24 @@ def grade_and_report(
             graded.append(entry)
             if not parsed.dry_run:
                 book.store(entry, run, whole=questions is None)
-            progress.advance(task)
+            rate = len(graded) / (time.monotonic() - began)
+            said = ", ".join(filter(None, [spread.describe(), f"{rate:.1f} a second"]))
+            progress.update(task, advance=1, description=said)
 
-        grade_all(submissions, marker, jobs, done, questions, known, isolation)
+        spread: Spread
+        if address is None:
+            jobs = min(parsed.jobs, len(submissions))
+            spread = Threads(marker, jobs, questions, isolation)
+        else:
+            from autograder.grading.dask_cluster import DaskCluster
+
+            spread = DaskCluster(marker, address, questions, isolation, warn)
+        with spread:
+            try:
+                grade_class(submissions, course, spread, done, questions, known)
+            finally:
+                if spread.isolation and not parsed.dry_run:
+                    run = book.note_isolation(run, spread.isolation)
     changed = changes(before, graded)
     if parsed.dry_run:
         _tell_dry_run(parsed, console, before, changed, len(graded))
@@ -77,9 +101,13 @@ def grade_and_report(
             for submission in submissions
         }
     )
-    options = Options(parsed.out, students)
+    options = Options(parsed.out, students, class_list)
     written = write_reports(course, book, options, console)
-    records = [record for record in book.records() if record.student in students]
+    records = [
+        record
+        for record in view_class(course, book, class_list).records
+        if record.student in students
+    ]
     if parsed.json:
         print_json(
             {
@@ -99,6 +127,16 @@ def grade_and_report(
         console.print(f"{len(changed)} marks of {len(students)} students are others than before.")
     console.print(f"{len(submissions)} graded; {written}.", soft_wrap=True, markup=False)
     return DONE
+
+
+def _require_packages(course: Course) -> None:
+    """Refuse to mark where what the course allows is not there: nobody's import may fail for it."""
+    missing = [name for name in course.settings.packages if not find_spec(name.partition(".")[0])]
+    if missing:
+        raise CourseError(
+            f"The course allows {', '.join(missing)} (packages in [tool.autograder]), and this "
+            f"Python has no such module; install what provides it, then grade."
+        )
 
 
 def _choose_run(
@@ -123,7 +161,11 @@ def _choose_run(
     same_key = last is not None and (last.course_version, last.seed) == (course.version, seed)
     if last and same_key and not regrade and (last.isolation == NO_SANDBOX) == parsed.no_sandbox:
         return last
-    return book.begin_run(course.version, seed, isolation_text(course, isolation))
+    # What holds on the workers of a cluster is not known before they are there.
+    text = NO_SANDBOX if isolation == "none" else ON_A_CLUSTER
+    if parsed.cluster is None:
+        text = isolation_text(course, isolation)
+    return book.begin_run(course.version, seed, text)
 
 
 def _tell_dry_run(

@@ -6,7 +6,14 @@ import argparse
 
 from rich.console import Console
 
-from autograder.cli.common import Commands, add_out, gradebook_path
+from autograder.cli.common import (
+    Commands,
+    add_author,
+    add_class_list,
+    add_out,
+    find_class_list,
+    gradebook_path,
+)
 from autograder.cli.status import DONE
 from autograder.errors import UsageError
 
@@ -14,21 +21,25 @@ from autograder.errors import UsageError
 def add(commands: Commands) -> None:
     """Describe the command."""
     note = commands.add_parser("note", help="add a remark about a student, for instructors only")
-    note.add_argument("student", metavar="STUDENT")
+    note.add_argument("student", metavar="STUDENT", help="name, id, login or e-mail")
     note.add_argument("text", metavar="TEXT")
+    add_author(note)
+    add_class_list(note)
     add_out(note)
     note.set_defaults(run=run)
 
 
 def run(parsed: argparse.Namespace, console: Console) -> int:
     """Keep the note."""
-    from autograder.gradebook import Gradebook
+    from autograder.gradebook import Gradebook, find_record
+    from autograder.gradebook.view import with_people
     from autograder.reports.terminal import printable
 
     if not parsed.text.strip():
         raise UsageError("The note is empty; write what is to be remembered.")
     with Gradebook(gradebook_path(parsed), create=False) as book:
-        student = book.record(parsed.student).student
-        book.note(student, parsed.text.strip())
-    console.print(f"Noted for {printable(student)}.", markup=False, soft_wrap=True)
+        records, _ = with_people(book.records(), find_class_list(parsed, book))
+        record = find_record(records, parsed.student)
+        book.note(record.student, parsed.text.strip(), parsed.author)
+    console.print(f"Noted for {printable(record.name)}.", markup=False, soft_wrap=True)
     return DONE

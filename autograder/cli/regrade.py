@@ -6,7 +6,7 @@ import argparse
 
 from rich.console import Console
 
-from autograder.cli.common import Commands, add_grading, gradebook_path, load
+from autograder.cli.common import Commands, add_grading, find_class_list, gradebook_path, load
 from autograder.errors import UsageError
 
 
@@ -25,21 +25,23 @@ def add(commands: Commands) -> None:
 def run(parsed: argparse.Namespace, console: Console) -> int:
     """Grade again what the gradebook knows; work that has gone keeps its marks, and is named."""
     from autograder.cli.grading_run import grade_and_report
-    from autograder.gradebook import Gradebook
+    from autograder.gradebook import Gradebook, find_record
+    from autograder.gradebook.view import with_people
     from autograder.reports.terminal import warn
 
     course = load(parsed)
     assert course.key  # a broken key is said before anything runs
     with Gradebook(gradebook_path(parsed), create=False) as book:
+        records, _ = with_people(book.records(), find_class_list(parsed, book))
         chosen = (
-            [book.record(student) for student in parsed.students]
+            [find_record(records, student) for student in parsed.students]
             if parsed.students
-            else book.records()
+            else records
         )
         for record in chosen:
             if not record.graded.submission.path.exists():
                 warn(
-                    f"The work of {record.student} is no longer at "
+                    f"The work of {record.name} is no longer at "
                     f"{record.graded.submission.path}; its marks stay as they are."
                 )
         submissions = [

@@ -6,28 +6,39 @@ import argparse
 
 from rich.console import Console
 
-from autograder.cli.common import Commands, add_json, add_out, gradebook_path, load, print_json
+from autograder.cli.common import (
+    Commands,
+    add_class_list,
+    add_json,
+    add_out,
+    find_class_list,
+    gradebook_path,
+    load,
+    print_json,
+)
 from autograder.cli.status import DONE
 
 
 def add(commands: Commands) -> None:
     """Describe the command."""
     show = commands.add_parser("show", help="show what the gradebook knows of a student")
-    show.add_argument("student", metavar="STUDENT")
+    show.add_argument("student", metavar="STUDENT", help="name, id, login or e-mail")
     add_out(show)
+    add_class_list(show)
     add_json(show)
     show.set_defaults(run=run)
 
 
 def run(parsed: argparse.Namespace, console: Console) -> int:
     """Print marks, overrides and notes."""
-    from autograder.gradebook import Gradebook
+    from autograder.gradebook import Gradebook, find_record, view_class
     from autograder.reports.machine import record_fields
     from autograder.reports.terminal import print_record
 
     course = load(parsed)
     with Gradebook(gradebook_path(parsed), create=False) as book:
-        record = book.record(parsed.student)
+        view = view_class(course, book, find_class_list(parsed, book))
+        record = find_record(view.records, parsed.student)
         if parsed.json:
             print_json(record_fields(course, record))
         else:

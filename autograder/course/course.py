@@ -15,6 +15,7 @@ from typing import Any
 from autograder.course.answers import Answer, answer_from_table
 from autograder.course.questions import Question, question_from_table
 from autograder.errors import CourseError, UsageError
+from autograder.kinds.registry import load_kind
 
 QUESTIONS = Path("notebooks/questions")
 ANSWERS = Path("solutions/answers")
@@ -41,6 +42,8 @@ class Settings:
     output_mb: int = 8  # what one response may come to
     submission_mb: int = 100
     submission_files: int = 2000
+    # What notebooks may import beyond what the course itself does; loaded before anything runs.
+    packages: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -59,6 +62,7 @@ class Course:
     root: Path
     chapters: tuple[Chapter, ...]
     settings: Settings
+    own_kinds: tuple[str, ...] = ()  # packages of the kinds of question that it brings along
 
     @cached_property
     def questions(self) -> dict[str, Question]:
@@ -202,6 +206,10 @@ def load_course(root: Path | None = None) -> Course:
         # Not the course of a folder above: that would hide a mistyped name.
         raise CourseError(f"There is no course in {root}: it has no folder {QUESTIONS}.")
     root = root.resolve()
+    tools = _read_tool_table(root)
+    own_kinds = _own_kinds(root, tools)
+    for package in own_kinds:
+        load_kind(package, root)
     chapters = []
     for path in sorted((root / QUESTIONS).glob("*.toml"), key=_chapter_position(root)):
         table = _read_toml(path, "write it, or remove the file")
@@ -220,7 +228,7 @@ def load_course(root: Path | None = None) -> Course:
     if not chapters:
         raise CourseError(f"{root / QUESTIONS} holds no questions; add a CHAPTER.toml.")
     _reject_duplicates(chapters)
-    return Course(root, tuple(chapters), _read_settings(root))
+    return Course(root, tuple(chapters), _read_settings(root, tools), own_kinds)
 
 
 def _reject_duplicates(chapters: list[Chapter]) -> None:
@@ -267,19 +275,51 @@ def _read_toml(path: Path, missing: str) -> dict[str, Any]:
         raise CourseError(f"{path} cannot be read: {error}.") from None
 
 
-def _read_settings(root: Path) -> Settings:
+def _read_tool_table(root: Path) -> dict[str, Any]:
+    """The table ``[tool.autograder]`` of the course's pyproject.toml, empty if there is none."""
     path = root / "pyproject.toml"
     if not path.exists():
-        return Settings()
+        return {}
     tools = _read_toml(path, "").get("tool", {})
     table = tools.get("autograder", {}) if isinstance(tools, dict) else {}
-    where = f"[tool.autograder] in {path}"
     if not isinstance(table, dict):
-        raise CourseError(f"{where} must be a table of settings such as memory_mb = 1024.")
+        raise CourseError(
+            f"[tool.autograder] in {path} must be a table of settings such as memory_mb = 1024."
+        )
+    return table
+
+
+def _own_kinds(root: Path, table: dict[str, Any]) -> tuple[str, ...]:
+    """The packages of the kinds of question that a course brings along."""
+    packages = table.pop("kinds", [])
+    if not (isinstance(packages, list) and all(isinstance(name, str) for name in packages)):
+        raise CourseError(
+            f"kinds of [tool.autograder] in {root / 'pyproject.toml'} must be a list of packages, "
+            'such as kinds = ["notebooks.kinds.matching"].'
+        )
+    return tuple(packages)
+
+
+def _packages(value: Any, where: str) -> tuple[str, ...]:
+    entries = value if isinstance(value, list) else [None]
+    for entry in entries:
+        if not isinstance(entry, str) or not all(p.isidentifier() for p in entry.split(".")):
+            raise CourseError(
+                f"{where} has packages = {value!r}; give names as they are imported, such as "
+                '["pandas"].'
+            )
+    return tuple(entries)
+
+
+def _read_settings(root: Path, table: dict[str, Any]) -> Settings:
+    where = f"[tool.autograder] in {root / 'pyproject.toml'}"
     kinds = {field.name: type(field.default) for field in fields(Settings)}
     for name, value in table.items():
         if name not in kinds:
             raise CourseError(f"{where} has {name}, which is none of {', '.join(sorted(kinds))}.")
+        if name == "packages":
+            table = {**table, name: _packages(value, where)}
+            continue
         whole = kinds[name] is int
         # To Python a truth value is an int; not a number is not between anything.
         is_number = isinstance(value, int if whole else int | float) and not isinstance(value, bool)

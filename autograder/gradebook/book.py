@@ -4,17 +4,17 @@ from __future__ import annotations
 
 import json
 import sqlite3
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
-from autograder.errors import UsageError
-from autograder.gradebook.record import Note, Override, Record
+from autograder.gradebook.lookup import find_record
+from autograder.gradebook.record import Attempt, Note, Override, Record
 from autograder.gradebook.schema import connect, readable_errors
-from autograder.grading.submission import Graded
+from autograder.grading.graded import Graded
 from autograder.intake.origin import Origin, path_from_text, path_to_text
 from autograder.intake.submissions import Submission
 from autograder.marking import Mark
@@ -99,6 +99,16 @@ class Gradebook:
                 (_now(), seconds, run.id),
             )
 
+    def note_isolation(self, run: Run, isolation: str) -> Run:
+        """Note what kept student code in, beside what did so in this run before."""
+        before = [] if run.isolation.startswith("unknown") else run.isolation.split("; and ")
+        if isolation in before:
+            return run
+        text = "; and ".join([*before, isolation])
+        with self._transaction() as db:
+            db.execute("UPDATE run SET isolation = ? WHERE id = ?", (text, run.id))
+        return replace(run, isolation=text)
+
     # Submissions and marks
 
     def store(self, graded: Graded, run: Run, whole: bool = True) -> None:
@@ -109,6 +119,7 @@ class Gradebook:
         """
         with self._transaction() as db:
             if whole:
+                _keep_attempt(db, graded)
                 db.execute("DELETE FROM mark WHERE student = ?", (graded.submission.student,))
             db.execute(
                 "INSERT INTO submission "
@@ -165,56 +176,68 @@ class Gradebook:
                 self._db.execute("COMMIT")
 
     def record(self, student: str) -> Record:
-        """Everything about one student; upper and lower case do not matter.
+        """Everything about one student, by key; upper and lower case do not matter.
 
         Raises:
             UsageError: if there is no such student; the sentence names those that are near.
         """
-        records = self.records()
-        for matches in (str.__eq__, lambda a, b: a.casefold() == b.casefold()):
-            for record in records:
-                if matches(record.student, student):
-                    return record
-        near = [r.student for r in records if student.casefold() in r.student.casefold()]
-        said = ", ".join(near[:5]) or f"{len(records)} others"
-        raise UsageError(f"The gradebook has no student {student!r}; it has {said}.")
+        return find_record(self.records(), student)
 
     def _read_records(self) -> list[Record]:
         marks = self._marks()
         overrides: dict[str, dict[str, Override]] = {}
-        for student, question, points, reason, made_at in self._rows(
-            "SELECT student, question, points, reason, made_at FROM override ORDER BY id"
-        ):
-            of_student = overrides.setdefault(student, {})
-            of_student.pop(question, None)
-            if points is not None:
-                of_student[question] = Override(student, question, points, reason, made_at)
+        disputes: dict[str, dict[str, tuple[Override, ...]]] = {}
+        for entry, disputed in self._overrides():
+            counting = overrides.setdefault(entry.student, {})
+            disputed_ones = disputes.setdefault(entry.student, {})
+            before = counting.pop(entry.question, None)
+            if disputed:
+                others = disputed_ones.get(entry.question) or ((before,) if before else ())
+                disputed_ones[entry.question] = (*others, entry)
+                continue
+            disputed_ones.pop(entry.question, None)
+            if entry.points is not None:
+                counting[entry.question] = entry
         notes: dict[str, list[Note]] = {}
-        for row in self._rows("SELECT student, text, made_at FROM note ORDER BY id"):
-            notes.setdefault(row[0], []).append(Note(*row))
+        for note in self.notes():
+            notes.setdefault(note.student, []).append(note)
+        attempts: dict[str, list[Attempt]] = {}
+        for student, *fields, text in self._rows(
+            "SELECT student, handed_in, late_percent, replaced_at, fingerprint, marks "
+            "FROM attempt ORDER BY id"
+        ):
+            past = tuple(Mark.from_dict(mark) for mark in json.loads(text))
+            attempts.setdefault(student, []).append(Attempt(past, *fields))
         rows = self._rows(
             "SELECT student, path, fingerprint, status, notes, submission.seconds, origin, run, "
-            "seed, handed_in, late_days, late_percent, isolation "
+            "seed, handed_in, late_days, late_percent, isolation, course_version "
             "FROM submission JOIN run ON run.id = submission.run ORDER BY student"
         )
-        return [
-            Record(
-                Graded(
-                    Submission(student, path_from_text(path), origin=_origin(origin)),
-                    status,
-                    fingerprint,
-                    marks.get(student, ()),
-                    tuple(json.loads(odd)),
-                    seconds,
-                ),
-                run,
-                seed,
-                overrides.get(student, {}),
-                tuple(notes.get(student, ())),
-                *late,
+        found = []
+        for student, path, fingerprint, status, odd, seconds, origin, run, seed, *rest in rows:
+            handed_in, late_days, late_percent, isolation, version = rest
+            submission = Submission(student, path_from_text(path), origin=_origin(origin))
+            notes_on_files = tuple(json.loads(odd))
+            found.append(
+                Record(
+                    Graded(
+                        *(submission, status, fingerprint, marks.get(student, ())),
+                        *(notes_on_files, seconds),
+                    ),
+                    run,
+                    seed,
+                    overrides.get(student, {}),
+                    tuple(notes.get(student, ())),
+                    handed_in,
+                    late_days,
+                    late_percent,
+                    isolation,
+                    version,
+                    tuple(attempts.get(student, ())),
+                    disputes.get(student, {}),
+                )
             )
-            for student, path, fingerprint, status, odd, seconds, origin, run, seed, *late in rows
-        ]
+        return found
 
     def _marks(self, where: str = "", values: tuple[Any, ...] = ()) -> dict[str, tuple[Mark, ...]]:
         marks: dict[str, list[Mark]] = {}
@@ -226,29 +249,78 @@ class Gradebook:
 
     # What people decide
 
-    def override(self, student: str, question: str, points: float | None, reason: str) -> None:
+    def override(
+        self,
+        student: str,
+        question: str,
+        points: float | None,
+        reason: str,
+        author: str = "",
+        levels: Mapping[str, str] | None = None,
+        response: str = "",
+    ) -> None:
         """Give points in place of a mark's; None withdraws the override."""
+        given = Override(student, question, points, reason, _now(), author, levels or {}, response)
+        self.add([given], [])
+
+    def add(
+        self,
+        overrides: Iterable[Override],
+        notes: Iterable[Note],
+        disputed: Iterable[Override] = (),
+    ) -> None:
+        """Add what people decided, here or in another gradebook; ``disputed`` counts for nobody."""
         with self._transaction() as db:
-            db.execute(
-                "INSERT INTO override (student, question, points, reason, made_at) "
-                "VALUES (?, ?, ?, ?, ?)",
-                (student, question, points, reason, _now()),
+            for entries, is_disputed in ((overrides, 0), (disputed, 1)):
+                db.executemany(
+                    "INSERT INTO override (student, question, points, reason, made_at, author, "
+                    "levels, response, disputed) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)",
+                    [
+                        (
+                            entry.student,
+                            entry.question,
+                            entry.points,
+                            entry.reason,
+                            entry.made_at,
+                            entry.author,
+                            json.dumps(dict(entry.levels)),
+                            entry.response,
+                            is_disputed,
+                        )
+                        for entry in entries
+                    ],
+                )
+            db.executemany(
+                "INSERT INTO note (student, text, made_at, author) VALUES (?, ?, ?, ?)",
+                [(note.student, note.text, note.made_at, note.author) for note in notes],
             )
 
-    def overrides(self, student: str) -> list[tuple[str, float | None, str, str]]:
-        """Every override there ever was: question, points (None: withdrawn), reason, time."""
-        return self._rows(
-            "SELECT question, points, reason, made_at FROM override WHERE student = ? ORDER BY id",
-            (student,),
-        )
+    def overrides(self, student: str | None = None) -> list[Override]:
+        """Every override there ever was, oldest first, of one student or of all."""
+        return [
+            entry for entry, _ in self._overrides() if student is None or entry.student == student
+        ]
 
-    def note(self, student: str, text: str) -> None:
+    def _overrides(self) -> Iterator[tuple[Override, bool]]:
+        for row in self._rows(
+            "SELECT student, question, points, reason, made_at, author, levels, response, disputed "
+            "FROM override ORDER BY id"
+        ):
+            student, question, points, reason, made_at, author, levels, response, disputed = row
+            said = json.loads(levels)
+            entry = Override(student, question, points, reason, made_at, author, said, response)
+            yield entry, bool(disputed)
+
+    def notes(self) -> list[Note]:
+        """Every remark, oldest first."""
+        return [
+            Note(*row)
+            for row in self._rows("SELECT student, text, made_at, author FROM note ORDER BY id")
+        ]
+
+    def note(self, student: str, text: str, author: str = "") -> None:
         """Add a remark about a student."""
-        with self._transaction() as db:
-            db.execute(
-                "INSERT INTO note (student, text, made_at) VALUES (?, ?, ?)",
-                (student, text, _now()),
-            )
+        self.add([], [Note(student, text, _now(), author)])
 
     def set_lateness(self, late: Mapping[str, tuple[str | None, int, float]]) -> None:
         """Write for each student when it was handed in, the days late and the percent they cost."""
@@ -268,6 +340,39 @@ class Gradebook:
         """Keep a setting."""
         with self._transaction() as db:
             db.execute("INSERT OR REPLACE INTO setting VALUES (?, ?)", (name, value))
+
+
+def _keep_attempt(db: sqlite3.Connection, graded: Graded) -> None:
+    """Keep the marks of what a student had handed in before, if this is other work."""
+    student = graded.submission.student
+    before = db.execute(
+        "SELECT fingerprint, run, handed_in, late_days, late_percent FROM submission "
+        "WHERE student = ? AND status = 'graded' AND fingerprint NOT IN ('', ?)",
+        (student, graded.fingerprint),
+    ).fetchone()
+    if before is None or not graded.fingerprint:
+        return
+    marks = db.execute(
+        "SELECT mark FROM mark WHERE student = ? ORDER BY rowid", (student,)
+    ).fetchall()
+    fingerprint, run, *late = before
+    # Work that comes back after other work is the same attempt as before.
+    db.execute(
+        "DELETE FROM attempt WHERE student = ? AND fingerprint IN (?, ?)",
+        (student, fingerprint, graded.fingerprint),
+    )
+    db.execute(
+        "INSERT INTO attempt (student, fingerprint, run, marks, handed_in, late_days, "
+        "late_percent, replaced_at) VALUES (?, ?, ?, ?, ?, ?, ?, ?)",
+        (
+            student,
+            fingerprint,
+            run,
+            json.dumps([json.loads(mark) for (mark,) in marks]),
+            *late,
+            _now(),
+        ),
+    )
 
 
 def _now() -> str:

@@ -68,6 +68,28 @@ CREATE TABLE setting (name TEXT PRIMARY KEY, value TEXT NOT NULL) STRICT;
 -- JSON, as Origin.to_dict: layout, whose it says it is, when it was handed in, its pieces
 ALTER TABLE submission ADD COLUMN origin TEXT NOT NULL DEFAULT '{}';
 """,
+    """
+-- who gave the points
+ALTER TABLE override ADD COLUMN author TEXT NOT NULL DEFAULT '';
+-- JSON, the level reached in each criterion of a rubric
+ALTER TABLE override ADD COLUMN levels TEXT NOT NULL DEFAULT '{}';
+-- digest of the response that was marked, empty where the points hold whatever is handed in
+ALTER TABLE override ADD COLUMN response TEXT NOT NULL DEFAULT '';
+-- 1 if it came from another gradebook and contradicts the one before: neither counts
+ALTER TABLE override ADD COLUMN disputed INTEGER NOT NULL DEFAULT 0;
+ALTER TABLE note ADD COLUMN author TEXT NOT NULL DEFAULT '';
+CREATE TABLE attempt (             -- what a student had handed in before the submission of now
+    id INTEGER PRIMARY KEY,
+    student TEXT NOT NULL,
+    fingerprint TEXT NOT NULL,
+    run INTEGER NOT NULL REFERENCES run(id),
+    marks TEXT NOT NULL,           -- JSON list of Mark.to_dict
+    handed_in TEXT,
+    late_days INTEGER NOT NULL,
+    late_percent REAL NOT NULL,
+    replaced_at TEXT NOT NULL      -- UTC, ISO 8601
+) STRICT;
+""",
 )
 SCHEMA_VERSION = len(_STEPS)
 

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 from autograder.gradebook.record import Record
-from autograder.grading.submission import Graded
+from autograder.grading.graded import Graded
 from autograder.marking import Mark
 
 

@@ -10,9 +10,9 @@ from collections.abc import Collection
 from typing import Any
 
 from autograder.course import Course
+from autograder.kinds.registry import kind_of
 from autograder.marking import Mark
 from autograder.marking.make_probe import make_probe
-from autograder.marking.mark_response import mark_response
 from autograder.marking.probe import Probe
 
 
@@ -44,7 +44,11 @@ class Marker:
             self.probe(id)
 
     def mark(self, id: str, response: Any, understood: str = "") -> Mark:
-        """Mark what came back for the question's probe."""
-        return mark_response(
-            self.course.question(id), self.course.key[id], self.probe(id), response, understood
+        """Mark a response: what a widget kept, or what came back for the question's probe.
+
+        Nothing in it is trusted. ``understood`` is what it looked like before any probe was sent.
+        """
+        question = self.course.question(id)
+        return kind_of(question).mark(
+            question, self.course.key[id], self.probe(id), response, understood
         )

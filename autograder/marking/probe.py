@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any
-
-from autograder.kinds.expression.marking import Points
-from autograder.kinds.function.marking import Expected
 
 
 @dataclass(frozen=True)
 class Probe:
     """A question made ready to be put: ``sent`` crosses to the student, the rest never does.
+
+    ``kept`` is whatever the question's kind needs to mark what comes back.
 
     ``shows_first`` says that students are shown what their function returns for the first case. The
     case is then asked in a message of its own, `opening`, and the others later, in `rest`: student
@@ -19,8 +18,7 @@ class Probe:
     """
 
     sent: dict[str, Any]
-    points: Points = field(default_factory=dict)
-    expected: Expected | None = None
+    kept: Any = None
     shows_first: bool = False
 
     @property

@@ -5,23 +5,20 @@ from __future__ import annotations
 import json
 import shutil
 import tempfile
-import tomllib
 from collections.abc import Callable, Collection
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from pathlib import Path
 
 from autograder.authoring.build import build_student_notebooks
-from autograder.course import Course, Settings
+from autograder.course import Course
 from autograder.errors import CourseError, UsageError
 from autograder.marking.snapshots import SNAPSHOTS
 from autograder.release.files import student_files
 from autograder.release.leaks import leaks
 from autograder.release.practice import PRACTICE, practice_files
+from autograder.release.pyproject import bundle_pyproject, kinds_setting
 from autograder.release.readme import student_readme
 from autograder.release.take_snapshots import chapter_snapshots
-
-# What only building, grading and CI need; all other dependencies of the course are the students'.
-_INSTRUCTORS = frozenset({"jupytext", "nbformat", "nbclient", "rich", "nbval"})
 
 
 @dataclass(frozen=True)
@@ -64,11 +61,14 @@ def release(
             blind += missed
             text = json.dumps(snapshots, indent=1)
             _write(folder / SNAPSHOTS / f"{chapter.name}.json", text + "\n")
-        _write(folder / "pyproject.toml", student_pyproject(course, bool(practice)))
+        _write(folder / "pyproject.toml", bundle_pyproject(course, "-student"))
         _write(folder / "README.md", student_readme(course, practice))
         _write(folder / ".gitignore", ".venv/\n__pycache__/\nresponses/\nsubmission.zip\nuv.lock\n")
         for file in practised:
             _copy(course.root / file, folder / PRACTICE / file)
+        if practised and course.own_kinds:
+            text = "\n".join(["[tool.autograder]", *kinds_setting(course)]) + "\n"
+            _write(folder / PRACTICE / "pyproject.toml", text)
         report("looking for answers")
         found = next(leaks(course, folder, practice), None)
         if found is not None:
@@ -79,53 +79,6 @@ def release(
         shutil.move(folder, target)
     files = tuple(sorted(path.relative_to(target) for path in target.rglob("*") if path.is_file()))
     return Bundle(target, files, tuple(blind))
-
-
-def student_pyproject(course: Course, practice: bool) -> str:
-    """The course's pyproject.toml for students: what the notebooks need, and the limits."""
-    path = course.root / "pyproject.toml"
-    table = tomllib.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
-    project = table.get("project", {})
-    needed = [
-        requirement
-        for requirement in project.get("dependencies", [])
-        if _distribution(requirement) not in _INSTRUCTORS
-    ]
-    lines = [
-        "[project]",
-        f"name = {json.dumps(str(project.get('name', 'course')) + '-student')}",
-        f"version = {json.dumps(str(project.get('version', '0')))}",
-        f"description = {json.dumps(str(project.get('description', '')))}",
-        f"requires-python = {json.dumps(str(project.get('requires-python', '>=3.11')))}",
-        "dependencies = [",
-        *(f"    {json.dumps(requirement)}," for requirement in needed),
-        "]",
-        "",
-        "[build-system]",
-        'requires = ["hatchling>=1.26,<2"]',
-        'build-backend = "hatchling.build"',
-        "",
-        "[tool.hatch.build.targets.wheel]",
-        'packages = ["autograder", "data", "notebooks"]',
-    ]
-    newest = table.get("tool", {}).get("uv", {}).get("exclude-newer")
-    if newest:
-        lines += ["", "[tool.uv]", f"exclude-newer = {json.dumps(str(newest))}"]
-    limits = {
-        field.name: getattr(course.settings, field.name)
-        for field in fields(Settings)
-        if getattr(course.settings, field.name) != field.default
-    }
-    if limits:
-        lines += ["", "[tool.autograder]", *(f"{name} = {value}" for name, value in limits.items())]
-    return "\n".join(lines) + "\n"
-
-
-def _distribution(requirement: str) -> str:
-    name = requirement
-    for sign in "<>=!~;[ ":
-        name = name.partition(sign)[0]
-    return name.strip().casefold()
 
 
 def _copy(source: Path, target: Path) -> None:

@@ -45,9 +45,6 @@ def grader_files(course: Course) -> Iterator[tuple[PurePosixPath, Path]]:
     yield from _in(course, str(ANSWERS), frozenset({".toml"}))
     for path in _under(course.root / "solutions", frozenset({".py"})):
         yield _name(course, path), path
-    for name in ("pyproject.toml", "README.md"):
-        if (course.root / name).is_file():
-            yield PurePosixPath(name), course.root / name
 
 
 def _in(

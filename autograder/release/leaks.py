@@ -12,7 +12,9 @@ from itertools import pairwise
 from pathlib import Path
 
 from autograder.course import Course
-from autograder.course.answers import Answer, FunctionAnswer, TrueFalseAnswer
+from autograder.course.answers import Answer
+from autograder.course.questions import Question
+from autograder.kinds.registry import kind_of
 from autograder.marking.make_probe import load_object
 
 _SHORTEST = 12  # characters; shorter strings turn up by chance
@@ -38,39 +40,24 @@ def leaks(course: Course, bundle: Path, except_chapters: Iterable[str] = ()) -> 
         if path.suffix == ".ipynb":
             code[name] = set().union(*map(_pairs, _code_cells(content)))
     for id, answer in course.key.items():
-        if course.question(id).chapter in allowed:
+        question = course.question(id)
+        if question.chapter in allowed:
             continue
-        for secret in secrets(answer):
+        for secret in kind_of(question).secrets(question, answer):
             bare = _bare(secret)
             for name, text in texts.items():
                 if len(bare) >= _SHORTEST and bare in text:
                     yield f"{name} holds {secret[:60]!r} of the key to {id}."
-        pairs = set().union(*(_pairs(source) for source in bodies(course, answer)))
+        pairs = set().union(*(_pairs(source) for source in bodies(course, question, answer)))
         for name, found in code.items():
             if pairs & found:
                 yield f"{name} holds {min(pairs & found)[:60]!r} of the reference for {id}."
 
 
-def secrets(answer: Answer) -> Iterator[str]:
-    """The texts and the code of a key that must never reach a student."""
-    yield answer.explanation
-    yield answer.code
-    for alternative in answer.alternatives:
-        yield alternative.feedback
-    if isinstance(answer, TrueFalseAnswer):
-        for statement in answer.statements:
-            yield statement.explanation
-            yield statement.misconception
-    if isinstance(answer, FunctionAnswer):
-        yield answer.reference
-        yield from (alternative.function for alternative in answer.alternatives)
-
-
-def bodies(course: Course, answer: Answer) -> Iterator[str]:
-    """The sources of the reference and the mistakes of a function question."""
-    if isinstance(answer, FunctionAnswer):
-        for name in (answer.reference, *(entry.function for entry in answer.alternatives)):
-            yield textwrap.dedent(inspect.getsource(load_object(name, course.root)))
+def bodies(course: Course, question: Question, answer: Answer) -> Iterator[str]:
+    """The sources of the solutions, right and wrong, that a key names."""
+    for name in kind_of(question).solutions(answer):
+        yield textwrap.dedent(inspect.getsource(load_object(name, course.root)))
 
 
 def _pairs(source: str) -> set[str]:

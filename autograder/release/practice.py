@@ -11,8 +11,8 @@ from collections.abc import Collection, Iterator
 from pathlib import Path
 
 from autograder.course import ANSWERS, QUESTIONS, Course
-from autograder.course.answers import FunctionAnswer
 from autograder.errors import UsageError
+from autograder.kinds.registry import kind_of
 
 PRACTICE = Path("practice")
 
@@ -32,14 +32,22 @@ def practice_files(course: Course, chapters: Collection[str]) -> Iterator[Path]:
         yield ANSWERS / f"{name}.toml"
     modules = _needed_modules(course, chapters)
     for id, answer in course.key.items():
-        chapter = course.question(id).chapter
-        if chapter not in chapters and isinstance(answer, FunctionAnswer):
-            module = answer.reference.partition(":")[0]
-            if module in modules:
+        question = course.question(id)
+        chapter = question.chapter
+        # The right solution of a chapter that is not practised; a mistake tells little.
+        for name in kind_of(question).solutions(answer)[:1]:
+            module = name.partition(":")[0]
+            if chapter not in chapters and module in modules:
                 raise UsageError(
                     f"The key to {', '.join(chapters)} needs {module}, which answers {id}; "
                     f"practise {chapter} too (--practice {chapter}), or leave it out."
                 )
+    for package in course.own_kinds:
+        folder = _module_file(course, package).parent
+        yield from (path.relative_to(course.root) for path in sorted(folder.rglob("*.py")))
+        for parent in folder.relative_to(course.root).parents[:-1]:
+            if (course.root / parent / "__init__.py").exists():
+                yield parent / "__init__.py"
     for module in sorted(modules):
         yield _module_file(course, module).relative_to(course.root)
 
@@ -49,14 +57,8 @@ def _needed_modules(course: Course, chapters: Collection[str]) -> set[str]:
     waiting = {
         name.partition(":")[0]
         for id, answer in course.key.items()
-        if isinstance(answer, FunctionAnswer) and course.question(id).chapter in chapters
-        for name in (
-            answer.reference,
-            answer.cases,
-            answer.compare or "",
-            *(alternative.function for alternative in answer.alternatives),
-        )
-        if name
+        if course.question(id).chapter in chapters
+        for name in kind_of(course.question(id)).code_names(answer)
     }
     needed: set[str] = set()
     while waiting:

@@ -37,7 +37,7 @@ You need Python 3.11 or newer. In this folder:
 
 ```sh
 pip install uv
-uv run jupyter lab notebooks/{first}
+uv run --extra lab jupyter lab notebooks/{first}
 ```
 
 The first call makes an environment in `.venv` and takes a while; later ones start at once. Without
@@ -46,7 +46,7 @@ uv, make an environment yourself:
 ```sh
 python3 -m venv .venv
 . .venv/bin/activate            # Windows: .venv\\Scripts\\activate
-pip install -e .
+pip install -e ".[lab]"
 jupyter lab notebooks/{first}
 ```
 

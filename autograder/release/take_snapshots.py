@@ -1,33 +1,19 @@
 """Takes the snapshots of a course: examples with their right outcomes, and nothing else of the key.
 
-Of a function question come the public cases, and for each known mistake that they do not tell from
-the right response one more case that does. Such a case is drawn at random for the snapshot alone,
-so it is none of the inputs that grade; a hidden case that is the same in every draw is never used.
-
-A check in the bundle compares numbers and has no other code. Where the key's own comparison
-forgives more (indices in any order, a normal turned round), the snapshot says so and holds what the
-known mistakes give: what equals one of those is wrong, and any other difference is left open.
+What a snapshot of a question holds is the business of its kind.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
 from typing import Any
 
-import numpy as np
-
 from autograder.course import Chapter, Course
-from autograder.course.answers import ExpressionAnswer, FunctionAnswer
-from autograder.course.formula import evaluate_formula
-from autograder.course.questions import Question
-from autograder.kinds.expression.marking import POINT_COUNT
-from autograder.kinds.function.marking import Expected, agrees, close
+from autograder.kinds.registry import kind_of
 from autograder.marking.make_probe import make_probe
-from autograder.marking.snapshots import pack
+from autograder.marking.pack import pack
 
 # The grader's seeds have 32 bits, so these inputs never grade anybody.
 SEED = 1 << 40
-_POINTS = 6
 
 
 def chapter_snapshots(course: Course, chapter: Chapter) -> tuple[dict[str, Any], list[str]]:
@@ -36,129 +22,12 @@ def chapter_snapshots(course: Course, chapter: Chapter) -> tuple[dict[str, Any],
     blind: list[str] = []
     for question in chapter.questions:
         answer = course.key[question.id]
-        if isinstance(answer, ExpressionAnswer):
-            snapshots[question.id] = pack(_of_expression(course, question, answer))
-        elif isinstance(answer, FunctionAnswer):
-            snapshot, missed = _of_function(course, question, answer)
+        drawn, again = (
+            make_probe(question, answer, seed, course.root) for seed in (SEED, SEED + 1)
+        )
+        taken = kind_of(question).take_snapshot(question, answer, drawn, again)
+        if taken is not None:
+            snapshot, missed = taken
             snapshots[question.id] = pack(snapshot)
             blind += [f"{question.id}: {name}" for name in missed]
     return snapshots, blind
-
-
-def _of_expression(course: Course, question: Question, answer: ExpressionAnswer) -> dict[str, Any]:
-    points = make_probe(question, answer, SEED, course.root).points
-    # Some of both halves, so that what must not depend on a symbol is seen to depend on it.
-    chosen = [*range(_POINTS), *range(POINT_COUNT, POINT_COUNT + _POINTS)]
-    points = {name: values[chosen] for name, values in points.items()}
-    accepted = [
-        {
-            "values": np.broadcast_to(
-                evaluate_formula(entry.expression, points), (len(chosen),)
-            ).copy(),
-            "modulo": float(evaluate_formula(entry.modulo, {})) if entry.modulo else None,
-        }
-        for entry in answer.alternatives
-        if not entry.is_mistake
-    ]
-    return {
-        "checked": answer.snapshot,
-        "points": points,
-        "accepted": accepted if answer.snapshot else [],
-    }
-
-
-def _of_function(
-    course: Course, question: Question, answer: FunctionAnswer
-) -> tuple[dict[str, Any], list[str]]:
-    drawn, again = (
-        make_probe(question, answer, seed, course.root).expected for seed in (SEED, SEED + 1)
-    )
-    assert drawn is not None
-    assert again is not None
-    chosen = [index for index, case in enumerate(drawn.cases) if case.get("public")]
-    missed = []
-    for mistake, outcomes in drawn.mistakes:
-        if any(_differs(drawn, index, outcomes) for index in chosen):
-            continue
-        telling = [
-            index
-            for index, case in enumerate(drawn.cases)
-            if not _is_fixed(case, again.cases) and _differs(drawn, index, outcomes)
-        ]
-        if telling:
-            chosen.append(telling[0])
-        else:
-            missed.append(mistake.name)
-    if not chosen:  # at least something to call a stub with
-        chosen = [i for i, case in enumerate(drawn.cases) if not _is_fixed(case, again.cases)][:1]
-    forgiving = any(forgives(drawn, index) for index in chosen)
-    cases = []
-    for index in sorted(chosen):
-        case = {key: drawn.cases[index][key] for key in ("name", "args")}
-        case["kwargs"] = drawn.cases[index].get("kwargs", {})
-        if answer.snapshot:
-            case["expected"] = drawn.outcomes[index]
-            if forgiving:
-                case["wrong"] = [
-                    outcomes[index]
-                    for _, outcomes in drawn.mistakes
-                    if _differs(drawn, index, outcomes)
-                ]
-        cases.append(case)
-    checked = answer.snapshot and bool(cases)
-    return {"checked": checked, "forgiving": forgiving, "cases": cases}, missed
-
-
-def forgives(expected: Expected, index: int) -> bool:
-    """Whether the key's comparison takes more than equal numbers for the right outcome of a case.
-
-    Tried out with the right outcome in another order, turned round, turned by a full turn, and
-    changed a little.
-    """
-    outcome = expected.outcomes[index]
-    if "value" not in outcome:
-        return False
-    return any(
-        not agrees(close, expected.cases[index], outcome, {"value": variant})
-        and agrees(expected.compare, expected.cases[index], outcome, {"value": variant})
-        for variant in _variants(outcome["value"])
-    )
-
-
-def _variants(value: Any) -> Iterator[Any]:
-    for change in (
-        lambda array: array[::-1] if array.ndim else array,
-        lambda array: -array if array.dtype.kind == "f" else array,
-        lambda array: array + 2 * np.pi if array.dtype.kind == "f" else array,
-        lambda array: array * (1 + 1e-4) if array.dtype.kind == "f" else array,
-    ):
-        yield _changed(value, change)
-        if isinstance(value, list):
-            for position, entry in enumerate(value):
-                yield [*value[:position], _changed(entry, change), *value[position + 1 :]]
-
-
-def _changed(value: Any, change: Callable[[np.ndarray], np.ndarray]) -> Any:
-    """A value with every array and every list of numbers in it changed."""
-    try:
-        array = np.asarray(value)
-    except ValueError:  # lists of unequal length
-        array = np.asarray(None)
-    if array.dtype.kind in "iuf":
-        changed = change(array)
-        return changed if isinstance(value, np.ndarray) else changed.tolist()
-    return [_changed(entry, change) for entry in value] if isinstance(value, list) else value
-
-
-def _differs(expected: Expected, index: int, outcomes: Sequence[Any]) -> bool:
-    """Whether a check that only compares numbers sees a mistake in a case."""
-    return not agrees(close, expected.cases[index], expected.outcomes[index], outcomes[index])
-
-
-def _is_fixed(case: dict[str, Any], others: Sequence[dict[str, Any]]) -> bool:
-    """Whether a case stands with the very same inputs in another draw."""
-    return any(
-        close({}, pack(case["args"]), pack(other["args"]))
-        and close({}, pack(case.get("kwargs", {})), pack(other.get("kwargs", {})))
-        for other in others
-    )

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from autograder.course import Course
-from autograder.gradebook import Record, Run
+from autograder.gradebook import ClassView, Record, Run
 from autograder.reports.machine import most_points
 from autograder.reports.markdown import inline, text
 from autograder.reports.page import page, table
@@ -43,7 +43,9 @@ _MOST_MISTAKES = 20
 _MOST_NAMES = 5
 
 
-def class_html(course: Course, records: Sequence[Record], run: Run | None) -> str:
+def class_html(
+    course: Course, records: Sequence[Record], run: Run | None, view: ClassView | None = None
+) -> str:
     """The page; everything on it is also in the CSV files beside it."""
     most = most_points(course)
     totals = np.array([record.total for record in records])

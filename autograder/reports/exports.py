@@ -16,7 +16,8 @@ from autograder.gradebook.record import Record
 from autograder.intake.class_list import ClassList
 from autograder.intake.person import Person
 from autograder.reports.files import write_csv
-from autograder.reports.machine import most_points
+from autograder.reports.grades_csv import NOT_YET, points_cell
+from autograder.reports.machine import most_for
 
 
 def match(
@@ -42,7 +43,8 @@ def write_canvas(
 ) -> list[Record]:
     """Write a file for Canvas's gradebook import; returns the work that is nobody's.
 
-    Who handed in nothing gets an empty cell, which leaves the grade in Canvas open.
+    Who handed in nothing, or has a question that waits for a person, gets an empty cell, which
+    leaves the grade in Canvas open.
     """
     pairs, left = match(class_list, records)
     number = f" ({class_list.canvas_id})" if class_list.canvas_id else ""
@@ -50,11 +52,11 @@ def write_canvas(
     rows: list[list[object]] = [
         [*header, f"{class_list.title}{number}"],
         # Canvas writes the four spaces itself, so that no student sorts before this row.
-        ["    Points Possible", "", "", "", "", most_points(course)],
+        ["    Points Possible", "", "", "", "", _most(course, records)],
     ]
     for student, record in pairs:
         row = [student.name, student.id, student.sis_id, student.login, student.section]
-        rows.append([*row, record.total if record else None])
+        rows.append([*row, record.final if record else None])
     write_csv(path, rows)
     return left
 
@@ -65,14 +67,15 @@ def write_moodle(
     """Write a file for Moodle's grade import; returns the work that is nobody's.
 
     Moodle refuses a whole file for one unknown user, and a user without grade loses the one they
-    have: students who handed in nothing are left out. Importing feedback without a grade would
-    overwrite the grade, so both columns are there.
+    have: students who handed in nothing, and those with a question that waits for a person, are
+    left out. Importing feedback without a grade would overwrite the grade, so both columns are
+    there.
     """
     pairs, left = match(class_list, records)
     header = ["First name and last name", "Username", "ID number", "Email address"]
     rows: list[list[object]] = [[*header, class_list.title, f"{class_list.title} feedback"]]
     for student, record in pairs:
-        if record is not None:
+        if record is not None and not record.open:
             row = [student.name, student.login, student.sis_id or student.id, student.email]
             rows.append([*row, record.total, _summary(course, record)])
     write_csv(path, rows)
@@ -86,22 +89,28 @@ def write_plain(
     pairs, left = match(class_list, records)
     header = ["submission", "name", "id", "sis_id", "login", "email", "section", *course.questions]
     header += ["earned", "late_days", "late_deduction", "total", "max", "status", "handed_in"]
+    header += ["not_yet_marked"]
     rows: list[list[object]] = [list(header)]
     nobodys: list[tuple[Person | None, Record | None]] = [(None, record) for record in left]
     for student, record in [*pairs, *nobodys]:
         person = student or Person("")
         row: list[object] = [record.student if record else None]
         row += [person.name, person.id, person.sis_id, person.login, person.email, person.section]
-        row += [record.points(id) if record else None for id in course.questions]
-        most = most_points(course)
+        row += [points_cell(record, id) if record else None for id in course.questions]
+        most = _most(course, records)
         if record is None:
-            row += [None, None, None, None, most, "not handed in", None]
+            row += [None, None, None, None, most, "not handed in", None, None]
         else:
-            row += [record.earned, record.late_days, record.deduction, record.total, most]
-            row += [record.graded.status, record.handed_in]
+            total = NOT_YET if record.open else record.total
+            row += [record.earned, record.late_days, record.deduction, total, most]
+            row += [record.graded.status, record.handed_in, " ".join(record.open)]
         rows.append(row)
     write_csv(path, rows)
     return left
+
+
+def _most(course: Course, records: Sequence[Record]) -> float:
+    return most_for(course, records[0] if records else None)
 
 
 def _summary(course: Course, record: Record) -> str:

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from autograder.course import Course
-from autograder.course.questions import Order, Question, TrueFalse
+from autograder.course.questions import Question
 from autograder.gradebook.record import Override, Record
+from autograder.kinds.registry import kind_of
 from autograder.marking import Mark, Part
-from autograder.reports.machine import most_points
+from autograder.marking.mark import status_for
+from autograder.reports.machine import most_for
 from autograder.reports.markdown import inline, markdown, text
 from autograder.reports.page import page
 from autograder.reports.pictures import Pictures
@@ -20,7 +22,7 @@ WORDS = {
     "partial": "Partly right",
     "wrong": "Not right yet",
     "not attempted": "Not attempted",
-    "recorded": "Recorded",
+    "recorded": "Not marked yet",
     "error": "Stopped by an exception",
     "timeout": "Took too long",
     "killed": "Ended before it answered",
@@ -43,13 +45,18 @@ class Feedback:
 def feedback_html(shared: Feedback, record: Record) -> str:
     """The page of one student."""
     course = shared.course
-    most = most_points(course)
+    most = most_for(course, record)
     share = record.total / most if most else 0.0
+    so_far = " so far" if record.open else ""
     header = [
-        f"<h1>Feedback for {text(record.student)}</h1>",
-        f'<p class="total"><strong>{record.total:g}</strong> of {most:g} points</p>',
+        f"<h1>Feedback for {text(record.name)}</h1>",
+        f'<p class="total"><strong>{record.total:g}</strong> of {most:g} points{so_far}</p>',
         bar(share, f"{100 * share:.0f} percent of the points"),
     ]
+    if record.open:
+        waiting = ", ".join(map(text, record.open))
+        header.append(f"<p>Not marked yet, a person will do it: {waiting}.</p>")
+    header += _after_the_exam(course, record)
     if record.late_days:
         days = "1 day" if record.late_days == 1 else f"{record.late_days} days"
         header.append(
@@ -68,7 +75,30 @@ def feedback_html(shared: Feedback, record: Record) -> str:
     footer = "<p>Questions about a mark? Name its question and say what you meant.</p>"
     if record.isolation.startswith("none"):
         footer += f"<p>Your code was run with this isolation: {text(record.isolation)}.</p>"
-    return page(f"Feedback for {record.student}", "\n".join(header), "\n".join(chapters), footer)
+    return page(f"Feedback for {record.name}", "\n".join(header), "\n".join(chapters), footer)
+
+
+def _after_the_exam(course: Course, record: Record) -> list[str]:
+    """What a scheme makes of the points, where they are more than their sum."""
+    scheme, lines = record.scheme, []
+    if scheme is None:
+        return []
+    if scheme.weights:
+        weights = ", ".join(
+            f"{text(chapter.title)} {scheme.weights.get(chapter.name, 0):g}"
+            for chapter in course.chapters
+        )
+        lines.append(f"<p>The chapters count for so many points: {weights}.</p>")
+    if scheme.curve is not None:
+        raw = replace(record, scheme=replace(scheme, curve=None)).earned
+        lines.append(
+            f"<p>The points were adjusted for everybody: {raw:g} became {record.earned:g}.</p>"
+        )
+    if record.attempts and scheme.resubmission != "newest":
+        past = ", ".join(f"{attempt.total:g}" for attempt in record.past())
+        rule = "best" if scheme.resubmission == "best" else "mean"
+        lines.append(f"<p>The {rule} of your attempts counts; earlier ones: {past} points.</p>")
+    return lines
 
 
 def _index(course: Course, record: Record) -> str:
@@ -76,11 +106,12 @@ def _index(course: Course, record: Record) -> str:
     for question in course.questions.values():
         mark = record.marks.get(question.id)
         status = mark.status if mark else "not attempted"
-        points = record.points(question.id) or 0.0
+        status = _verdict(record, question, status)
+        points = _points(record, question)
         entries.append(
             f'<li><a class="{_class(status)}" href="#{_anchor(question)}">'
             f'<span aria-hidden="true">{SIGNS.get(status, "!")}</span> {text(question.id)} '
-            f'<span class="soft">{points:g}/{question.points:g}</span></a></li>'
+            f'<span class="soft">{points}/{question.points:g}</span></a></li>'
         )
     return f'<nav aria-label="Questions"><ul class="index">{"".join(entries)}</ul></nav>'
 
@@ -88,24 +119,33 @@ def _index(course: Course, record: Record) -> str:
 def _question(shared: Feedback, record: Record, question: Question) -> str:
     mark = record.marks.get(question.id)
     override = record.overrides.get(question.id)
-    status = mark.status if mark else "not attempted"
-    points = record.points(question.id) or 0.0
+    status = _verdict(record, question, mark.status if mark else "not attempted")
+    points = _points(record, question)
     unit = "point" if question.points == 1 else "points"
     lines = [
         f'<article class="{_class(status)}" id="{_anchor(question)}">',
         f'<div class="head"><h3>{text(question.id)} · {inline(question.title)}</h3>'
-        f'<span class="points">{points:g} of {question.points:g} {unit}</span></div>',
+        f'<span class="points">{points} of {question.points:g} {unit}</span></div>',
         f'<p class="verdict"><span aria-hidden="true">{SIGNS.get(status, "!")}</span> '
         f"{WORDS[status]}</p>",
     ]
-    if override is not None:
+    if record.scheme is not None and (counts := record.scheme.remark(question.id, record)):
+        lines.append(f'<p class="byhand">{text(counts)}</p>')
+    if record.open_reason(question.id):
+        lines.append("<p>A person will mark this.</p>")
+    elif override is not None:
         lines.append(_override(override, mark))
     if mark is None:
         lines.append("<p>This question was not marked.</p>")
     else:
         lines += _understood(question, mark)
-        lines.append(_feedback(mark))
+        if mark.status != "recorded":
+            lines.append(_feedback(mark))
+        if mark.told:
+            lines.append(f'<p class="label">It raised</p><p class="said">{text(mark.told)}</p>')
         lines += _parts(question, mark)
+        if mark.code:
+            lines.append(_code(mark.code))
         lines.append(shared.pictures.html(question.id, mark, record.seed))
         if shared.explanations and mark.full_explanation:
             why = markdown(mark.full_explanation)
@@ -113,29 +153,44 @@ def _question(shared: Feedback, record: Record, question: Question) -> str:
     return "\n".join(line for line in [*lines, "</article>"] if line)
 
 
+def _code(code: str) -> str:
+    """The cell that holds the response, folded, with the lines' numbers that exceptions name."""
+    rows = "".join(f"<li>{text(line) or ' '}</li>" for line in code.splitlines())
+    return f'<details><summary>Your code</summary><ol class="code">{rows}</ol></details>'
+
+
 def _override(override: Override, mark: Mark | None) -> str:
-    grader = f" The grader gave {mark.points:g}." if mark else ""
-    return (
-        f'<p class="byhand"><strong>Marked by hand: {override.points:g} points.</strong> '
-        f"{text(override.reason)}{grader}</p>"
+    grader = f" The grader gave {mark.points:g}." if mark and mark.status != "recorded" else ""
+    levels = "".join(
+        f"<li>{text(criterion)}: {text(level)}</li>" for criterion, level in override.levels.items()
     )
+    return (
+        f'<div class="byhand"><p><strong>Marked by hand: {override.points or 0:g} points.</strong> '
+        f"{text(override.reason)}{grader}</p>{f'<ul>{levels}</ul>' if levels else ''}</div>"
+    )
+
+
+def _points(record: Record, question: Question) -> str:
+    points = record.points(question.id)
+    return "?" if record.open_reason(question.id) else f"{points or 0.0:g}"
+
+
+def _verdict(record: Record, question: Question, status: str) -> str:
+    """The status; what only a person can mark is as right as the points are."""
+    override = record.overrides.get(question.id)
+    if status != "recorded" or override is None or record.open_reason(question.id):
+        return status
+    credit = (override.points or 0.0) / question.points if question.points else 1.0
+    return status_for(min(1.0, credit))
 
 
 def _understood(question: Question, mark: Mark) -> list[str]:
     if not mark.understood or mark.status == "not attempted":
         return []
     label = '<p class="label">Your response was read as</p>'
-    if isinstance(question, TrueFalse):
-        said = [word.strip() for word in mark.understood.split(",")]
-        said += ["–"] * (len(question.statements) - len(said))
-        rows = "".join(
-            f"<li>{inline(statement)} <strong>{text(word)}</strong></li>"
-            for statement, word in zip(question.statements, said, strict=False)
-        )
-        return [label, f"<ol>{rows}</ol>"]
-    if isinstance(question, Order):
-        steps = "".join(f"<li>{inline(step)}</li>" for step in mark.understood.split(" › "))
-        return [label, f"<ol>{steps}</ol>"]
+    read_as = kind_of(question).read_as(question, mark)
+    if read_as is not None:
+        return [label, f"<ol>{''.join(f'<li>{inline(line)}</li>' for line in read_as)}</ol>"]
     return [label, f'<p class="said">{text(mark.understood)}</p>']
 
 
@@ -149,8 +204,9 @@ def _feedback(mark: Mark) -> str:
 
 
 def _parts(question: Question, mark: Mark) -> list[str]:
+    kind = kind_of(question)
     wrong = [part for part in mark.parts if part.feedback and part.right is not True]
-    if isinstance(question, TrueFalse):
+    if kind.parts_stand_alone:
         entries = [
             f"<li>{text(part.label)}: {markdown(part.feedback)[3:-4]}</li>"
             if markdown(part.feedback).count("<p>") == 1
@@ -161,7 +217,7 @@ def _parts(question: Question, mark: Mark) -> list[str]:
     if all(part.right for part in mark.parts):
         return []
     return [
-        f'<p class="label">{"Cards" if isinstance(question, Order) else "Kinds of input"}</p>',
+        f'<p class="label">{text(kind.parts_heading)}</p>',
         f"<ul>{''.join(_part(part) for part in mark.parts)}</ul>",
     ]
 

@@ -6,30 +6,41 @@ import csv
 import hashlib
 import os
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 
 _RESERVED = {"con", "prn", "aux", "nul"} | {f"{d}{n}" for d in ("com", "lpt") for n in range(10)}
 _LONGEST = 120  # bytes
 
 
-def write_text(path: Path, text: str) -> None:
-    """Write a file; whoever reads it meanwhile sees the old one or the new one."""
+@contextmanager
+def replacing(path: Path) -> Iterator[Path]:
+    """A path to write to, which takes the place of ``path`` once all of it was written."""
     path.parent.mkdir(parents=True, exist_ok=True)
     unfinished = path.with_name(path.name + ".tmp")
-    unfinished.write_text(text, encoding="utf-8", errors="replace", newline="")
-    os.replace(unfinished, path)
+    try:
+        yield unfinished
+        os.replace(unfinished, path)
+    finally:
+        unfinished.unlink(missing_ok=True)
+
+
+def write_text(path: Path, text: str) -> None:
+    """Write a file; whoever reads it meanwhile sees the old one or the new one."""
+    with replacing(path) as unfinished:
+        unfinished.write_text(text, encoding="utf-8", errors="replace", newline="")
 
 
 def write_csv(path: Path, rows: Iterable[Sequence[object]]) -> None:
     """Write a table; no cell of text is taken for a formula by a spreadsheet."""
-    path.parent.mkdir(parents=True, exist_ok=True)
-    unfinished = path.with_name(path.name + ".tmp")
-    with unfinished.open("w", newline="", encoding="utf-8", errors="replace") as file:
+    with (
+        replacing(path) as unfinished,
+        unfinished.open("w", newline="", encoding="utf-8", errors="replace") as file,
+    ):
         writer = csv.writer(file)
         for row in rows:
             writer.writerow([cell(value) for value in row])
-    os.replace(unfinished, path)
 
 
 def cell(value: object) -> str:

@@ -13,9 +13,12 @@ def record_fields(course: Course, record: Record) -> dict[str, Any]:
     """One student, with the verdict on every question that was marked."""
     return {
         "student": record.student,
+        "name": record.name,
+        "people": [person.text() for person in record.people],
         "status": record.graded.status,
         "total": record.total,
-        "max": most_points(course),
+        "max": most_for(course, record),
+        "open": {question: record.open_reason(question) for question in record.open},
         "late_days": record.late_days,
         "deduction": record.deduction,
         "problems": list(record.graded.notes),
@@ -61,3 +64,10 @@ def change_fields(change: Change) -> dict[str, Any]:
 def most_points(course: Course) -> float:
     """What a perfect submission earns."""
     return round(sum(question.points for question in course.questions.values()), 2)
+
+
+def most_for(course: Course, record: Record | None) -> float:
+    """What a perfect submission earns under the scheme that was accepted."""
+    if record is None or record.scheme is None:
+        return most_points(course)
+    return record.scheme.most

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from autograder.course import Course
-from autograder.course.answers import FunctionAnswer
+from autograder.kinds.registry import kind_of
 from autograder.marking import Mark
 from autograder.marking.make_probe import load_object
 from autograder.marking.marker import Marker
@@ -35,9 +35,9 @@ class Pictures:
     def __init__(self, course: Course) -> None:
         self._course = course
         self._describe = {
-            id: load_object(answer.picture, course.root)
+            id: load_object(name, course.root)
             for id, answer in course.key.items()
-            if isinstance(answer, FunctionAnswer) and answer.picture
+            if (name := kind_of(course.question(id)).picture(answer))
         }
         self._markers: dict[int, Marker] = {}
 
@@ -47,13 +47,11 @@ class Pictures:
         if describe is None or mark.shown is None:
             return ""
         marker = self._markers.setdefault(seed, Marker(self._course, seed))
-        expected = marker.probe(question).expected
-        assert expected is not None
-        case, outcome = expected.cases[0], expected.outcomes[0]
-        if not case.get("public") or "value" not in outcome:
+        example = kind_of(self._course.question(question)).example(marker.probe(question))
+        if example is None:
             return ""
         try:
-            described = describe(case, outcome["value"], mark.shown)
+            described = describe(*example, mark.shown)
         except Exception:
             # What a student's function returned may be anything: then there is nothing to draw.
             return ""

@@ -9,8 +9,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from autograder.course import Course
-from autograder.course.questions import Order, Question, TrueFalse
+from autograder.course.questions import Question
 from autograder.gradebook.record import Record
+from autograder.kinds.registry import kind_of
 from autograder.marking import Mark
 from autograder.reports.machine import most_points
 
@@ -108,7 +109,7 @@ def correlation(a: np.ndarray, b: np.ndarray) -> float | None:
 
 def _is_unnamed(question: Question, mark: Mark) -> bool:
     wrong = mark.status in ("wrong", "partial")
-    return wrong and mark.alternative is None and not isinstance(question, TrueFalse)
+    return wrong and mark.alternative is None and not kind_of(question).parts_stand_alone
 
 
 def _troubles(
@@ -154,31 +155,15 @@ def common_mistakes(course: Course, records: Sequence[Record]) -> list[Mistake]:
             mark = record.marks.get(question.id)
             if mark is None or mark.status not in ("wrong", "partial"):
                 continue
-            named = isinstance(question, TrueFalse) or mark.alternative is not None
-            for name in _mistake_names(question, mark):
-                made.setdefault((question.id, name, named), []).append(record.student)
+            kind = kind_of(question)
+            known = kind.known_mistakes(question, mark)
+            for name in known or kind.other_mistakes(question, mark):
+                made.setdefault((question.id, name, bool(known)), []).append(record.student)
     mistakes = [Mistake(*mistake, tuple(students)) for mistake, students in made.items()]
     order = {id: position for position, id in enumerate(course.questions)}
     return sorted(
         mistakes, key=lambda m: (not m.named, -len(m.students), order[m.question], m.name)
     )
-
-
-def _mistake_names(question: Question, mark: Mark) -> list[str]:
-    if isinstance(question, TrueFalse):
-        said = [word.strip() for word in mark.understood.split(",")]
-        return [
-            f"{part.label.lower()} called {word}"
-            for part, word in zip(mark.parts, said, strict=False)
-            if part.right is False
-        ]
-    if mark.alternative is not None:
-        return [mark.alternative]
-    if isinstance(question, Order):
-        return []  # every wrong order has its own cards out of place
-    if len(mark.parts) > 1 and not any(part.right for part in mark.parts):
-        return ["wrong on every kind of input"]
-    return [f"wrong on: {part.label}" for part in mark.parts if part.right is False]
 
 
 def who_needs_help(course: Course, records: Sequence[Record]) -> list[Needy]:

@@ -12,10 +12,10 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 from rich.table import Table
 
 from autograder.course import Course
-from autograder.gradebook.record import Record
+from autograder.gradebook.record import Override, Record, names_of
 from autograder.grading.changes import Change
 from autograder.marking import Mark
-from autograder.reports.machine import most_points
+from autograder.reports.machine import most_for
 
 SIGNS = {
     "right": "✓",
@@ -63,6 +63,7 @@ def print_table(console: Console, course: Course, records: Sequence[Record]) -> 
         table.add_column(chapter.title, overflow="fold")
     table.add_column("points", justify="right")
     table.add_column("", overflow="fold")
+    names = names_of(records)
     for record in records:
         marks = record.marks
         signs = [
@@ -73,9 +74,9 @@ def print_table(console: Console, course: Course, records: Sequence[Record]) -> 
             for chapter in course.chapters
         ]
         table.add_row(
-            escape(printable(record.student)),
+            escape(printable(names[record.student])),
             *signs,
-            f"{record.total:g} / {most_points(course):g}",
+            f"{record.total:g} / {most_for(course, record):g}" + (" +?" if record.open else ""),
             escape(printable(" ".join(record.graded.notes))),
         )
     console.print(table)
@@ -107,11 +108,22 @@ def print_record(
     console: Console,
     course: Course,
     record: Record,
-    overrides: Iterable[tuple[str, float | None, str, str]],
+    overrides: Iterable[Override],
 ) -> None:
     """Everything about one student, a line a question."""
-    console.print(f"[bold]{escape(printable(record.student))}[/]", soft_wrap=True)
-    _line(console, f"{record.total:g} of {most_points(course):g} points, {record.graded.status}")
+    console.print(f"[bold]{escape(printable(record.name))}[/]", soft_wrap=True)
+    for person in record.people:
+        apart = filter(None, (person.login, person.email, person.id, person.section))
+        _line(console, f"{person.name}: {', '.join(apart)}")
+    if record.name != record.student:
+        _line(console, f"submission: {record.student}")
+    _line(
+        console,
+        f"{record.total:g} of {most_for(course, record):g} points, {record.graded.status}"
+        + (f", {len(record.open)} not marked yet" if record.open else ""),
+    )
+    for past in record.past():
+        _line(console, f"attempt handed in {past.handed_in or 'before'}: {past.total:g} points")
     if record.late_days:
         _line(
             console,
@@ -134,20 +146,28 @@ def print_record(
         override = record.overrides.get(question.id)
         said = f"{mark.alternative}: {mark.feedback}" if mark.alternative else mark.feedback
         if override is not None:
-            said = f"given by hand ({override.reason}); the grader said {mark.points:g}. {said}"
+            levels = "".join(f"{name}: {level}; " for name, level in override.levels.items())
+            by_hand = f"given by hand ({levels}{override.reason})"
+            said = f"{by_hand}; the grader said {mark.points:g}. {said}"
+        if reason := record.open_reason(question.id):
+            said = f"not marked yet: {reason}. {said}"
+        counts = record.scheme.remark(question.id, record) if record.scheme else ""
+        points = record.points(question.id)
         table.add_row(
             _sign(mark.status),
             question.id,
-            f"{record.points(question.id):g} / {question.points:g}",
+            f"{'?' if points is None else f'{points:g}'} / {question.points:g}",
             escape(printable(mark.understood)),
-            escape(printable(said)),
+            escape(printable(f"{counts} {said}".strip())),
         )
     console.print(table)
-    for question_id, points, reason, made_at in overrides:
-        given = "withdrawn" if points is None else f"{points:g} points"
-        _line(console, f"override {made_at}: {question_id} {given} ({reason})")
+    for entry in overrides:
+        given = "withdrawn" if entry.points is None else f"{entry.points:g} points"
+        by = f" by {entry.author}" if entry.author else ""
+        _line(console, f"override {entry.made_at}{by}: {entry.question} {given} ({entry.reason})")
     for remark in record.notes:
-        _line(console, f"note {remark.made_at}: {remark.text}")
+        by = f" by {remark.author}" if remark.author else ""
+        _line(console, f"note {remark.made_at}{by}: {remark.text}")
 
 
 def printable(text: str) -> str:

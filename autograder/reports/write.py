@@ -9,7 +9,8 @@ from pathlib import Path
 from rich.console import Console
 
 from autograder.course import Course
-from autograder.gradebook import Gradebook
+from autograder.gradebook import ClassView, Gradebook, view_class
+from autograder.intake.class_list import ClassList
 from autograder.reports.class_csv import write_class_csv
 from autograder.reports.class_html import class_html
 from autograder.reports.feedback_html import Feedback, feedback_html
@@ -21,21 +22,22 @@ from autograder.reports.terminal import progress_bar
 
 @dataclass(frozen=True)
 class Options:
-    """Where reports go, and whose feedback may have changed (None: everybody's)."""
+    """Where reports go, whose feedback may have changed (None: all), and who is in the class."""
 
     out: Path
     students: Collection[str] | None = None
+    class_list: ClassList | None = None
 
 
 def write_reports(course: Course, book: Gradebook, options: Options, console: Console) -> str:
     """Write the reports and say in half a sentence which ones."""
     out = options.out
-    records = book.records()
-    run = book.last_run()
+    view = view_class(course, book, options.class_list or ClassList())
+    records = view.records
     write_grades_csv(out / "grades.csv", course, records)
     write_class_csv(out, course, records)
-    write_text(out / "class.html", class_html(course, records, run))
-    shared = Feedback(course, Pictures(course), book.setting("explanations") == "yes")
+    write_text(out / "class.html", class_html(course, records, book.last_run(), view))
+    shared = feedback_of(view, book)
     chosen = [
         record
         for record in records
@@ -48,3 +50,9 @@ def write_reports(course: Course, book: Gradebook, options: Options, console: Co
             write_text(out / "feedback" / name, feedback_html(shared, record))
             progress.advance(task)
     return f"{out / 'grades.csv'}, class.html and feedback/ are written"
+
+
+def feedback_of(view: ClassView, book: Gradebook) -> Feedback:
+    """What all pages of feedback share."""
+    explanations = book.setting("explanations") == "yes"
+    return Feedback(view.course, Pictures(view.course), explanations)

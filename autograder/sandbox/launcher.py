@@ -21,6 +21,7 @@ __all__ = [
     "SandboxError",
     "Session",
     "Stopped",
+    "isolation_parts",
     "isolation_text",
 ]
 
@@ -111,6 +112,19 @@ def isolation_text(course: Course, isolation: Isolation = "auto") -> str:
         SandboxError: if no isolation works here.
     """
     return NO_SANDBOX if isolation == "none" else str(_tier(course, isolation).text)
+
+
+def isolation_parts(course: Course, isolation: Isolation = "auto") -> tuple[str, ...]:
+    """The parts of it; an isolation that lacks one is weaker.
+
+    Raises:
+        SandboxError: if no isolation works here.
+    """
+    if isolation == "none":
+        return ()
+    from autograder.sandbox.tiers import parts
+
+    return parts(_tier(course, isolation).with_namespaces)
 
 
 def _tier(course: Course, isolation: Isolation) -> Any:

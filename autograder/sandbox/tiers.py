@@ -136,19 +136,24 @@ class Tier:
             self._started.pop().stop()
 
 
+_PARTS = {
+    "bubblewrap": "a file system and a list of processes of its own",
+    "Landlock": "Landlock",
+    "seccomp": "seccomp",
+}
+
+
+def parts(with_namespaces: bool) -> tuple[str, ...]:
+    """What keeps student code in on this machine, part by part."""
+    works = (with_namespaces, landlock.version() > 0, seccomp.build_filter() is not None)
+    return tuple(part for part, here in zip(_PARTS, works, strict=True) if here)
+
+
 def describe(with_namespaces: bool) -> str:
     """What keeps student code in, and what is missing."""
-    parts = ["bubblewrap"] if with_namespaces else []
-    missing = [] if with_namespaces else ["a file system and a list of processes of its own"]
-    if landlock.version():
-        parts.append("Landlock")
-    else:
-        missing.append("Landlock")
-    if seccomp.build_filter() is not None:
-        parts.append("seccomp")
-    else:
-        missing.append("seccomp")
-    text = ", ".join(parts) + " and process limits"
+    there = parts(with_namespaces)
+    missing = [lost for part, lost in _PARTS.items() if part not in there]
+    text = ", ".join(there) + " and process limits"
     return text + (f"; missing: {' and '.join(missing)}" if missing else "")
 
 

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
-from autograder.course import find_course_root, load_course
-from autograder.course.questions import Order, TrueFalse
+from autograder.course import load_course
 from autograder.errors import AutograderError, UsageError
+from autograder.kinds.registry import kind_of
 from autograder.student import unsaved
-from autograder.student.choices import read_choice
+from autograder.student.course_path import course_of_notebook, put_course_first
 from autograder.student.desk import Desk
 from autograder.student.frontend import widgets_wanted
 from autograder.student.live import Live
@@ -21,6 +22,7 @@ from autograder.student.views import MarkView, ProgressView, QuestionView, Submi
 
 MISSING: Any = object()
 
+put_course_first()
 unsaved.watch()
 
 
@@ -30,7 +32,7 @@ def _desk_at(root: Path) -> Desk:
 
 
 def _desk() -> Desk:
-    desk = _desk_at(find_course_root())
+    desk = _desk_at(course_of_notebook())
     for sentence in desk.mend():
         print(sentence)
     return desk
@@ -85,9 +87,9 @@ def _try(action: Any) -> Any:
         return None
 
 
-def _shown(view: Any, widget: str, *arguments: Any) -> Any:
-    """The view itself, or a widget where one can be drawn."""
-    return Live(view, widget, *arguments) if widgets_wanted() else view
+def _shown(view: Any, widget: Callable[[], Any]) -> Any:
+    """The view itself, or a widget where one can be drawn; it is made only to be drawn."""
+    return Live(view, widget) if widgets_wanted() else view
 
 
 def _ask(id: str) -> Any:
@@ -95,15 +97,15 @@ def _ask(id: str) -> Any:
     question = desk.course.question(id)
     marker_for(desk.course)  # starts marking in the background while the student reads
     view = Asked(question, desk.entry(question).get("response"))
-    return _shown(view, "question_widget", desk, question)
+    return _shown(view, lambda: kind_of(question).widget(desk, question))
 
 
 def _respond(id: str, response: Any) -> Any:
     desk = _desk()
     question = desk.course.question(id)
-    if not isinstance(question, TrueFalse | Order):
+    if question.name is not None:
         return _check(id, response)
-    chosen = read_choice(question, response)
+    chosen = kind_of(question).read_response(question, response)
     desk.keep(question, lambda before: chosen)
     return MarkView(question, desk.mark_choice(question), chosen)
 
@@ -111,7 +113,7 @@ def _respond(id: str, response: Any) -> Any:
 def _check(id: str, response: Any) -> Any:
     desk = _desk()
     question = desk.course.question(id)
-    if isinstance(question, TrueFalse | Order):
+    if question.name is None:
         if response is not MISSING:
             return _respond(id, response)
         chosen = desk.entry(question).get("response")
@@ -122,18 +124,30 @@ def _check(id: str, response: Any) -> Any:
         response = ...  # the field gave it to the variable: the field still holds the answer
     mark = desk.mark_value(question, response)
     view = MarkView(question, mark, desk.entry(question).get("response"))
-    return _shown(view, "value_widget", desk, question, response, mark)
+    return _shown(view, lambda: kind_of(question).widget(desk, question, response, mark))
 
 
 def _progress() -> Any:
     desk = _desk()
-    return _shown(ProgressView(desk.course, desk.entries()), "progress_widget", desk)
+
+    def widget() -> Any:
+        from autograder.student.widgets.progress import ProgressWidget
+
+        return ProgressWidget(desk)
+
+    return _shown(ProgressView(desk.course, desk.entries()), widget)
 
 
 def _submit() -> Any:
     desk = _desk()
     view = _pack(desk)
-    return _shown(view, "submission_widget", desk, view, lambda: _pack(desk))
+
+    def widget() -> Any:
+        from autograder.student.widgets.submission import SubmissionWidget
+
+        return SubmissionWidget(desk, view, lambda: _pack(desk))
+
+    return _shown(view, widget)
 
 
 def _pack(desk: Desk) -> SubmissionView:

@@ -8,16 +8,14 @@ from typing import Any
 from weakref import WeakSet
 
 from autograder.course import Course
-from autograder.course.questions import Expression, Number, Order, Question, TrueFalse
-from autograder.errors import UsageError
+from autograder.course.questions import Question
+from autograder.kinds.registry import kind_of
 from autograder.marking.mark import Mark, not_attempted, stopped
 from autograder.sandbox.inside.evaluate import describe, evaluate
-from autograder.student.choices import fits, untouched
 from autograder.student.frontend import running_shell
 from autograder.student.marker_client import marker_for
 from autograder.student.receipts import rescued_entries
 from autograder.student.responses import Entry, Responses, attempts, responses_folder
-from autograder.student.typed import read_typed
 
 
 class Desk:
@@ -69,7 +67,8 @@ class Desk:
     def entry(self, question: Question) -> Entry:
         """What is kept for a question; a response that does not fit it counts as none."""
         entry = self.responses(question).get(question.id)
-        if entry.get("response") is not None and not fits(question, entry["response"]):
+        response = entry.get("response")
+        if response is not None and not kind_of(question).fits(question, response):
             return {**entry, "response": None}
         return entry
 
@@ -80,12 +79,15 @@ class Desk:
             ResponsesError: if it cannot be saved.
         """
 
+        kind = kind_of(question)
+
         def changed(entry: Entry) -> Entry:
             before = entry.get("response")
-            response = change(before if fits(question, before) else None)
+            response = change(before if kind.fits(question, before) else None)
             if response == before:
                 return entry
-            status = "not attempted" if untouched(question, response) else "recorded"
+            untouched = kind.is_untouched(question, response)
+            status = "not attempted" if untouched else "recorded"
             return {
                 **entry,
                 "kind": question.kind,
@@ -100,15 +102,15 @@ class Desk:
         self.tell(question.id)
         return entry
 
-    def mark_choice(self, question: TrueFalse | Order, count: bool = True) -> Mark:
-        """Mark the statements or cards that are kept; ``count`` it as an attempt or not.
+    def mark_choice(self, question: Question, count: bool = True) -> Mark:
+        """Mark the response that was clicked and kept; ``count`` it as an attempt or not.
 
         Raises:
             ResponsesError: if the mark cannot be saved.
             CourseError: if the key is broken; the response stays kept.
         """
         response = self.entry(question).get("response")
-        if response is None or untouched(question, response):
+        if response is None or kind_of(question).is_untouched(question, response):
             mark = not_attempted(question)
         else:
             marker = marker_for(self.course)
@@ -119,29 +121,21 @@ class Desk:
             self._note(question, mark, lambda entry: entry.get("response"))
         return mark
 
-    def keep_typed(self, question: Number | Expression, text: str) -> Any:
+    def keep_typed(self, question: Question, text: str) -> Any:
         """Keep what was typed into the field of a question, and return what it means.
 
         Raises:
             UsageError: if it is not understood; nothing is changed then.
             ResponsesError: if it cannot be saved.
         """
-        value = read_typed(question, text, variables=_variables())
-        kept = value if isinstance(question, Number) else text.strip()
+        value, kept = kind_of(question).read_typed(question, text, _variables())
         self.keep(question, lambda before: kept)
         return value
 
     def typed(self, question: Question) -> Any:
         """What was typed into the field of a question, ``...`` if nothing was."""
         response = self.entry(question).get("response")
-        if response is None or not isinstance(question, Number | Expression):
-            return ...
-        if isinstance(question, Number):
-            return response
-        try:
-            return read_typed(question, response)
-        except UsageError:
-            return ...
+        return ... if response is None else kind_of(question).typed_value(question, response)
 
     def was_typed(self, question: Question, response: Any) -> bool:
         """Whether a variable's value is what was typed into the question's field."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import weakref
+from collections.abc import Callable
 from typing import Any
 
 from autograder.student.frontend import current_cell
@@ -19,10 +20,9 @@ class Live:
     widget's would take the keyboard's focus away at every click.
     """
 
-    def __init__(self, view: Any, widget: str, *arguments: Any) -> None:
+    def __init__(self, view: Any, widget: Callable[[], Any]) -> None:
         self.view = view
         self._widget = widget
-        self._arguments = arguments
 
     def __getattr__(self, name: str) -> Any:
         return getattr(self.view, name)
@@ -33,9 +33,7 @@ class Live:
     def _ipython_display_(self) -> None:
         from IPython.display import display
 
-        from autograder.student import widgets
-
-        widget = getattr(widgets, self._widget)(*self._arguments)
+        widget = self._widget()
         bundle = self.view._repr_mimebundle_()
         bundle[WIDGET_VIEW] = {
             "version_major": 2,

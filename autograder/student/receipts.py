@@ -11,7 +11,7 @@ from typing import Any
 
 from autograder.course import Chapter, Course
 from autograder.intake.notebook_reader import RECEIPT, Unreadable, read_notebook
-from autograder.student.choices import fits, untouched
+from autograder.kinds.registry import kind_of
 from autograder.student.responses import Entry, notebooks_folder
 
 __all__ = ["RECEIPT", "receipt", "rescued_entries"]
@@ -38,8 +38,10 @@ def rescued_entries(course: Course, chapter: Chapter) -> dict[str, Entry]:
     entries: dict[str, Entry] = {}
     for question in chapter.questions:
         response = found.get(question.id)
-        if fits(question, response):
-            status = "not attempted" if untouched(question, response) else "recorded"
+        kind = kind_of(question)
+        if kind.fits(question, response):
+            untouched = kind.is_untouched(question, response)
+            status = "not attempted" if untouched else "recorded"
             entries[question.id] = {
                 "kind": question.kind,
                 "response": response,

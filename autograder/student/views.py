@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import Any
 
 from autograder.course import Course
-from autograder.course.questions import Expression, Order, Question, TrueFalse
+from autograder.course.questions import Question
+from autograder.kinds.registry import kind_of
 from autograder.marking.mark import Mark
-from autograder.student.choices import in_words
 from autograder.student.receipts import RECEIPT, receipt
 from autograder.student.responses import answered, points
 from autograder.student.submission import Packed
@@ -73,30 +73,7 @@ class QuestionView(_View):
             question.prompt,
             "",
         ]
-        if isinstance(question, TrueFalse):
-            said = self.response or [None] * len(question.statements)
-            words = {True: " → **true**", False: " → **false**", None: ""}
-            lines += [
-                f"{n}. {statement}{words[choice]}"
-                for n, (statement, choice) in enumerate(
-                    zip(question.statements, said, strict=False), 1
-                )
-            ]
-            example = ", ".join(["True", "False", "..."])
-            lines += ["", f'Answer with `ask("{question.id}").respond([{example}])`.']
-        elif isinstance(question, Order):
-            lines += [f"{n}. {card.text} (`{card.id}`)" for n, card in enumerate(question.cards, 1)]
-            if self.response:
-                lines += ["", "Your order: " + in_words(question, self.response)]
-            lines += [
-                "",
-                f'Answer with `ask("{question.id}").respond([...])`: '
-                "the cards' numbers, in the order you want.",
-            ]
-        else:
-            if isinstance(question, Expression):
-                lines += [f"- `{name}`: {meaning}" for name, meaning in question.symbols] + [""]
-            lines.append(f'Check it with `check("{question.id}", {question.name})`.')
+        lines += kind_of(question).lines(question, self.response)
         return lines
 
     def receipt(self) -> dict[str, Any] | None:
@@ -123,7 +100,7 @@ class MarkView(_View):
         )
         lines = [f"**{sign} {mark.question} {mark.status}**{earned}", "", mark.feedback]
         wrong = [part for part in mark.parts if part.feedback and part.right is not True]
-        if isinstance(self.question, TrueFalse):
+        if kind_of(self.question).parts_stand_alone:
             lines += ["", *(f"- {part.label}: {part.feedback}" for part in wrong)] if wrong else []
         if mark.full_explanation and mark.status in ("right", "partial", "wrong"):
             lines += [

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from autograder.student.frontend import widgets_wanted
+from autograder.student.frontend import running_shell, widgets_wanted
 
 _HERE = Path(__file__).parent
 
@@ -14,12 +15,20 @@ class Explorer:
     """A widget made of one ES module, with a sentence for where no widget can be drawn.
 
     ``module`` names a file beside this one; ``values`` are plain data that it starts from.
+    ``still`` shows a picture with the same numbers where there is no widget.
     """
 
-    def __init__(self, module: str, values: dict[str, Any], sentence: str) -> None:
+    def __init__(
+        self,
+        module: str,
+        values: dict[str, Any],
+        sentence: str,
+        still: Callable[[], None] | None = None,
+    ) -> None:
         self._module = module
         self._values = values
         self._sentence = sentence
+        self._still = still
 
     def __repr__(self) -> str:
         return self._sentence
@@ -32,6 +41,8 @@ class Explorer:
                 "version_minor": 0,
                 "model_id": self._widget().model_id,
             }
+        elif self._still is not None and running_shell() is not None:
+            self._still()
         return bundle
 
     def _widget(self) -> Any:

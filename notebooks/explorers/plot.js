@@ -58,6 +58,84 @@ function slider(name, { min, max, step, value, say }, changed) {
   return { row, set, get: () => Number(input.value), input };
 }
 
+// A labelled choice of [value, text] pairs; `get()` is the chosen value as a number.
+function chooser(name, options, chosen, changed) {
+  const select = make("select", { "data-lm-suppress-shortcuts": "true", onchange: changed });
+  for (const [value, text] of options) select.append(make("option", { value }, text));
+  select.value = chosen;
+  const row = make("label", { class: "ex-row" }, make("span", {}, name), select);
+  const set = (value) => void (select.value = value);
+  return { row, set, get: () => Number(select.value), text: () => select.selectedOptions[0].text };
+}
+
+function button(text, pressed) {
+  return make("button", { type: "button", "data-lm-suppress-shortcuts": "true", onclick: pressed }, text);
+}
+
+// Follows the pointer from where it is pressed on a plot to where it is lifted. `moved(x, y)` is
+// told the position in the units of the axes.
+function dragOn({ picture, toX, toY }, moved, begins = () => true) {
+  const unmap = (map, pixel) => (pixel - map(0)) / (map(1) - map(0));
+  const place = (event) => {
+    const at = new DOMPoint(event.clientX, event.clientY).matrixTransform(picture.getScreenCTM().inverse());
+    return [unmap(toX, at.x), unmap(toY, at.y)];
+  };
+  picture.classList.add("ex-scene");
+  picture.addEventListener("pointerdown", (event) => {
+    if (!begins(...place(event))) return;
+    const move = (event) => moved(...place(event));
+    const end = () => {
+      document.removeEventListener("pointermove", move);
+      document.removeEventListener("pointerup", end);
+      document.removeEventListener("pointercancel", end);
+    };
+    document.addEventListener("pointermove", move);
+    document.addEventListener("pointerup", end);
+    document.addEventListener("pointercancel", end);
+    event.preventDefault();
+    move(event);
+  });
+}
+
+// Ranges of x and y that hold all points in a plot of this size, with one scale for both.
+function fitted(points, width, height, margin = 0.06) {
+  const ends = (values) => [Math.min(...values), Math.max(...values)];
+  const [left, right] = ends(points.map(([x]) => x));
+  const [low, high] = ends(points.map(([, y]) => y));
+  const [across, up] = [width - 72, height - 56]; // pixels between the axes' ends, as in `plot`
+  const scale = (1 + 2 * margin) * Math.max((right - left) / across, (high - low) / up) || 1 / across;
+  const [x, y] = [(left + right) / 2, (low + high) / 2];
+  return {
+    x: { low: x - (scale * across) / 2, high: x + (scale * across) / 2, label: "x (m)" },
+    y: { low: y - (scale * up) / 2, high: y + (scale * up) / 2, label: "y (m)" },
+  };
+}
+
+// Random numbers from 0 to 1 that `still.py` draws just so: a linear congruential generator.
+function randomNumbers(seed) {
+  let state = seed >>> 0;
+  return () => {
+    state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
+    return state / 2 ** 32;
+  };
+}
+
+// Draw again and again: one more sample is needed as long as the chance that all were spoilt is
+// larger than what we allow.
+function iterations(share, size, allowed) {
+  let clean = 1;
+  for (let drawn = 0; drawn < size; drawn += 1) clean *= share;
+  let spoilt = 1;
+  let count = 0;
+  while (spoilt > allowed && count < 1e7) {
+    spoilt -= spoilt * clean;
+    count += 1;
+  }
+  return count;
+}
+
+const degrees = (alpha) => `${Math.round((alpha * 180) / Math.PI)}°`;
+
 // Round numbers between low and high, about `count` of them.
 function ticks(low, high, count = 5) {
   const rough = (high - low) / count;

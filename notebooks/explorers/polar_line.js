@@ -23,12 +23,16 @@ function render({ model, el }) {
     x: { low: view.x - view.half, high: view.x + view.half, label: "x (m)" },
     y: { low: view.y - view.half, high: view.y + view.half, label: "y (m)" },
   });
-  scene.picture.classList.add("ex-scene");
   const slope = make("div", { class: "ex-pictures" });
   const note = make("p", {}, "Drag the round handle, or use the sliders. How small can you make S?");
   root.append(note, radius.row, angle.row, result, make("div", { class: "ex-pictures" }, scene.picture, slope));
   let best = Infinity;
-  scene.picture.addEventListener("pointerdown", drag);
+  // The handle is the point of the line that is nearest to the origin: it sets both values at once.
+  dragOn(scene, (x, y) => {
+    radius.set(Math.hypot(x, y));
+    angle.set(Math.atan2(y, x));
+    update();
+  });
 
   function update() {
     const [r, alpha] = [radius.get(), angle.get()];
@@ -87,35 +91,8 @@ function render({ model, el }) {
     slope.replaceChildren(picture);
   }
 
-  // The handle is the point of the line that is nearest to the origin: it sets both values at once.
-  function drag(event) {
-    const move = (event) => {
-      const at = new DOMPoint(event.clientX, event.clientY).matrixTransform(
-        scene.picture.getScreenCTM().inverse(),
-      );
-      const x = unmap(scene.toX, at.x);
-      const y = unmap(scene.toY, at.y);
-      radius.set(Math.hypot(x, y));
-      angle.set(Math.atan2(y, x));
-      update();
-    };
-    const end = () => {
-      document.removeEventListener("pointermove", move);
-      document.removeEventListener("pointerup", end);
-      document.removeEventListener("pointercancel", end);
-    };
-    document.addEventListener("pointermove", move);
-    document.addEventListener("pointerup", end);
-    document.addEventListener("pointercancel", end);
-    event.preventDefault();
-    move(event);
-  }
-
   update();
 }
-
-const degrees = (alpha) => `${Math.round((alpha * 180) / Math.PI)}°`;
-const unmap = (map, pixel) => (pixel - map(0)) / (map(1) - map(0));
 
 // A square that holds the points and the origin, and how far a line may be away.
 function frameOf(points) {

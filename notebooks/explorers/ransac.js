@@ -11,20 +11,6 @@ const SAMPLES = [
   [8, "8 (fundamental matrix)"],
 ];
 
-// Draw again and again: one more sample is needed as long as the chance that all were spoilt is
-// larger than what we allow.
-function iterations(share, size, allowed) {
-  let clean = 1;
-  for (let drawn = 0; drawn < size; drawn += 1) clean *= share;
-  let spoilt = 1;
-  let count = 0;
-  while (spoilt > allowed && count < 1e7) {
-    spoilt -= spoilt * clean;
-    count += 1;
-  }
-  return count;
-}
-
 // The number of the first sample without an outlier, in one simulated run.
 function firstClean(share, size, limit) {
   for (let count = 1; count <= limit; count += 1) {
@@ -47,24 +33,14 @@ function render({ el }) {
     [0.9, "90 %"],
     [0.99, "99 %"],
     [0.999, "99.9 %"],
-  ], 0.99);
-  const size = chooser("points in a sample s", SAMPLES, 2);
+  ], 0.99, update);
+  const size = chooser("points in a sample s", SAMPLES, 2, update);
   const result = make("p", { class: "ex-result", role: "status" });
   const pictures = make("div", { class: "ex-pictures" });
-  const simulate = make("button", { type: "button" }, "Simulate");
-  simulate.setAttribute("data-lm-suppress-shortcuts", "true");
+  const simulate = button("Simulate", run);
   const simulated = make("p", { role: "status" });
   const histogram = make("div", { class: "ex-pictures" });
   root.append(share.row, chance.row, size.row, result, pictures, simulate, simulated, histogram);
-  simulate.addEventListener("click", run);
-
-  function chooser(name, options, chosen) {
-    const select = make("select", { "data-lm-suppress-shortcuts": "true", onchange: update });
-    for (const [value, text] of options) select.append(make("option", { value }, text));
-    select.value = chosen;
-    const row = make("label", { class: "ex-row" }, make("span", {}, name), select);
-    return { row, get: () => Number(select.value) };
-  }
 
   function update() {
     const [w, p, s] = [share.get(), chance.get(), size.get()];
@@ -72,7 +48,7 @@ function render({ el }) {
     result.replaceChildren(
       make("strong", {}, `k = ${k.toLocaleString("en")} ${k === 1 ? "iteration" : "iterations"}`),
       ` ${k === 1 ? "is" : "are"} needed: with ${percent(w)} inliers and samples of ${s} points, at least one sample ` +
-        `is clean with a probability of at least ${chance.row.querySelector("select").selectedOptions[0].text}.`,
+        `is clean with a probability of at least ${chance.text()}.`,
     );
     simulated.textContent = "";
     histogram.replaceChildren();

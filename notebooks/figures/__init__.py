@@ -17,6 +17,7 @@ _PICTURES = {
     "mapping": ["corridor", "corridor_walls", "three_senses", "walls_of_scan"],
     "polar": ["polar_line", "polar_lines", "steep_walls"],
     "retrieval": ["agreement", "first_places", "matches", "search_results"],
+    "exploring": ["cloud_views", "ransac_steps"],
     "space": ["cloud", "largest_planes"],
     "words": ["descriptor_space", "word_patches"],
 }

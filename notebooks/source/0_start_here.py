@@ -31,7 +31,6 @@ import numpy as np
 import sympy as sp
 
 import data
-from autograder import ask, check, progress, submit
 from notebooks import figures
 
 photographs, scans = data.campus_photographs(), data.killian_court()

@@ -21,7 +21,6 @@ import cv2
 import numpy as np
 
 import data
-from autograder import ask, check, progress, submit
 from notebooks import figures
 
 # %% [markdown]

@@ -16,9 +16,8 @@ import numpy as np
 import sympy as sp
 
 import data
-from autograder import ask, check, progress, submit
 from notebooks import figures
-from notebooks.explorers import explore_polar_line
+from notebooks.explorers import explore_cloud, explore_polar_line
 
 # %% [markdown]
 # Here is one scan from a real robot, in the corridors of MIT's Killian Court. Beam number $i$ has the
@@ -215,6 +214,19 @@ figures.cost_over_angle({"a flat wall": flat, "a steep wall": steep}, alpha_opt)
 
 # %% demo=true
 figures.cost_over_angle({"a flat wall": flat, "a steep wall": steep}, alpha_min)
+
+# %% [markdown]
+# The next picture shows one cloud in three views, and all of them move together. On the left are the points. In the middle is
+# the cost of *every* line: a point of this map is a line, dark where the cost is low, and each white curve holds the
+# lines through one of the points. Where the curves nearly meet, the points nearly agree. On the right is what you have just seen,
+# the cost over the angle.
+#
+# **Predict, then turn the cloud**: at which moment does the plain $\arctan$ jump from one stationary angle to the other? Then drag
+# the outlier (the square). The solid line is least squares; the dashed one is where most points agree, which is what
+# chapter 3 is about.
+
+# %% demo=true
+explore_cloud(five, outlier=(4, 3.5))
 
 # %% [markdown]
 # What if the cost has neither valley nor hill? That happens when $S_{xx} = S_{yy}$ and $S_{xy} = 0$, for

@@ -18,9 +18,8 @@ import numpy as np
 import sympy as sp
 
 import data
-from autograder import ask, check, progress, submit
 from notebooks import figures
-from notebooks.explorers import explore_ransac
+from notebooks.explorers import explore_ransac, explore_ransac_steps
 
 # %% [markdown]
 # From chapter 2 we need a line, its fit and the distances from it. The fit here is OpenCV's, so that this chapter does
@@ -200,6 +199,17 @@ figures.growth(required_iterations, {"a line": 2, "a plane": 3, "two photographs
 
 # %% demo=true
 explore_ransac()
+
+# %% [markdown]
+# Now watch RANSAC at work on the scan. **Draw** takes one sample; **Run** draws as many as you computed for a line. On
+# the right is the number of samples that the formula asks for *with the best share of inliers so far*. Nobody knows $w$
+# before the first sample, but every better line is a better guess of it. When could a program stop by itself?
+#
+# Then add outliers until a fifth of the points are the wall's, and look at a hundred runs at once. Is your number of
+# iterations enough in 95 of them?
+
+# %% demo=true
+explore_ransac_steps(points, iterations)
 
 # %% [markdown]
 # ## What the formula does not promise

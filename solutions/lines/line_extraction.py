@@ -21,6 +21,7 @@ from solutions.lines.scan import (
     Settings,
     breaks,
     check_angles,
+    first_beams,
     is_bend,
     is_wall,
     make_segment,
@@ -44,6 +45,8 @@ def split_and_merge(
 ) -> list[Segment]:
     """Return the walls in one scan, in the order of the beams.
 
+    A scan of a full turn has no seam: a wall across its ends is one wall.
+
     `ranges` in metres and `angles` in radians (ascending) belong to the same N beams. Beams
     without an echo (not finite, not positive, at the maximum range) are left out. Raises
     ValueError for arrays of other shapes, or angles that do not ascend.
@@ -51,7 +54,12 @@ def split_and_merge(
     settings = settings or Settings()
     points, beams = scan_points(ranges, angles, settings)
     check_angles(angles)
-    gaps = breaks(points, np.asarray(ranges)[beams], np.asarray(angles)[beams], settings)
+    ranges, angles = np.asarray(ranges, dtype=float), np.asarray(angles, dtype=float)
+    first = first_beams(ranges[None], angles, settings)[0]
+    order = np.argsort((beams - first) % max(1, len(ranges)))
+    points, beams = points[order], beams[order]
+    turned = np.where(beams < first, angles[beams] + 2 * math.pi, angles[beams])
+    gaps = breaks(points, ranges[beams], turned, settings)
     segments = []
     for run in np.split(np.arange(len(points)), np.flatnonzero(gaps) + 1):
         corners = split(points[run], settings.split_distance)

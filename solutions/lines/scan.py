@@ -14,10 +14,19 @@ from solutions.lines.line_fitting import (
     positions_along,
 )
 
+# In standard deviations of the difference of two readings: noise makes no gap even among the
+# thousands of neighbours in a scan with fine beams.
+_NOISE = 5 * math.sqrt(2)
+_TURN = 2 * math.pi
+
 
 @dataclass(frozen=True)
 class Settings:
-    """What counts as a wall. The defaults suit a SICK scanner with centimetre noise."""
+    """What counts as a wall.
+
+    The defaults suit a SICK LMS scanner with centimetre noise; `solutions.lines.scanners` has
+    settings for others.
+    """
 
     sigma: float = 0.01  # m, standard deviation of a point
     split_distance: float = 0.06  # m, a point this far from the chord is a corner
@@ -51,7 +60,7 @@ class Segment(NamedTuple):
     start: np.ndarray  # (2,) m, the foot of the first inlier on the line
     end: np.ndarray  # (2,) m, the foot of the last inlier
     covariance: np.ndarray  # (2, 2), of (r, alpha)
-    inliers: np.ndarray  # indices of the beams, ascending
+    inliers: np.ndarray  # indices of the beams, ascending but for a wall across a full turn's ends
 
 
 def is_echo(ranges: np.ndarray, settings: Settings) -> np.ndarray:
@@ -75,9 +84,44 @@ def scan_points(
 
 
 def check_angles(angles: np.ndarray) -> None:
-    """Raise ValueError unless the beams turn to the left, as gaps and corners are looked for."""
+    """Raise ValueError unless the beams turn to the left, at most once round.
+
+    Gaps and corners are looked for in this order.
+    """
     if not (np.diff(angles) > 0).all():
         raise ValueError("The angles must grow from beam to beam: turn ranges and angles round.")
+    if len(angles) and angles[-1] - angles[0] > _TURN + 1e-6:
+        raise ValueError("The beams turn more than once round: cut the scan after a full turn.")
+
+
+def is_full_turn(angles: np.ndarray) -> bool:
+    """Tell whether the first beam follows the last one, as when a scanner turns right round."""
+    if len(angles) < 3:
+        return False
+    return bool(_TURN - (angles[-1] - angles[0]) < 1.5 * np.median(np.diff(angles)))
+
+
+def first_beams(ranges: np.ndarray, angles: np.ndarray, settings: Settings) -> np.ndarray:
+    """Return (M,) the beam with which each of (M, B) scans begins, so that no wall is cut in two.
+
+    A scan of less than a full turn begins with beam 0. A full turn has no seam: it begins behind
+    its widest gap, or, where it has none, at its farthest point, which is a corner.
+    """
+    echo = is_echo(ranges, settings)
+    if not is_full_turn(angles):
+        return np.zeros(len(ranges), dtype=np.intp)
+    seen = np.where(echo, ranges, 0.0)
+    first = seen.argmax(axis=1)
+    for scan in np.flatnonzero(echo.any(axis=1)):
+        beams = np.flatnonzero(echo[scan])
+        beams = np.append(beams, beams[0])  # once round
+        turn = np.append(angles[beams[:-1]], angles[beams[0]] + _TURN)
+        points = seen[scan, beams, None] * np.column_stack([np.cos(turn), np.sin(turn)])
+        gaps = np.flatnonzero(breaks(points, seen[scan, beams], turn, settings))
+        if len(gaps):
+            widest = gaps[np.hypot(*np.diff(points, axis=0)[gaps].T).argmax()]
+            first[scan] = beams[widest + 1]
+    return first
 
 
 def breaks(
@@ -92,7 +136,7 @@ def breaks(
     step = np.diff(angles)
     nearer = np.minimum(ranges[:-1], ranges[1:])
     beyond = np.maximum(np.sin(settings.grazing_angle - step), 1e-9)
-    allowed = nearer * np.sin(step) / beyond + 3 * settings.sigma
+    allowed = nearer * np.sin(step) / beyond + _NOISE * settings.sigma
     gap = np.hypot(*np.diff(points, axis=0).T)
     return (gap > allowed) | (step >= settings.grazing_angle)
 

@@ -5,6 +5,8 @@ from typing import Literal, NamedTuple
 import cv2
 import numpy as np
 
+_SIFT = 128  # numbers in a descriptor
+
 
 class Features(NamedTuple):
     """The N features of an image."""
@@ -24,6 +26,15 @@ def extract_features(
     grey = image if image.ndim == 2 else cv2.cvtColor(image, cv2.COLOR_RGB2GRAY)
     keypoints, descriptors = detector.detectAndCompute(grey, None)
     if descriptors is None:  # nothing to be seen
-        descriptors = np.zeros((0, 128), np.float32) if kind == "sift" else np.zeros((0, 32), "u1")
+        descriptors = np.zeros((0, _SIFT), "f4") if kind == "sift" else np.zeros((0, 32), "u1")
     positions = np.array([keypoint.pt for keypoint in keypoints], np.float32).reshape(-1, 2)
     return Features(positions, descriptors)
+
+
+def are_bits(descriptors: np.ndarray) -> bool:
+    """Tell whether (N, d) descriptors are rows of bits, compared by how many differ.
+
+    Bytes are bits, as ORB, BRISK, FREAK and AKAZE give them, in 32 to 64 bytes a feature. The
+    exception is 128 bytes: they are SIFT's 128 numbers, kept small.
+    """
+    return descriptors.dtype == np.uint8 and descriptors.shape[-1] != _SIFT

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from solutions.place_recognition.features import Features
+from solutions.place_recognition.features import Features, are_bits
 from solutions.place_recognition.fundamental_matrix import ransac_fundamental
 
 
@@ -76,6 +76,6 @@ def one_of_each_place(x: np.ndarray, y: np.ndarray) -> np.ndarray:
 
 
 def _as_points(descriptors: np.ndarray) -> np.ndarray:
-    if descriptors.dtype == np.uint8:
+    if are_bits(descriptors):
         descriptors = np.unpackbits(descriptors, axis=1)
     return descriptors.astype(np.float32)

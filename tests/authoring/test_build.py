@@ -199,7 +199,7 @@ def test_a_solved_notebook_is_executed_and_keeps_text_but_no_picture(tiny_course
     (tiny_course.root / "solutions/answers/kitchen.toml").write_text("")
     (notebook,) = build_solved_notebooks(tiny_course.load())
     outputs = [cell["outputs"] for cell in json.loads(notebook.text)["cells"]]
-    assert outputs[0][0]["text"] == ["a shelf\n"]
+    assert outputs[1][0]["text"] == ["a shelf\n"]
     assert "image/png" not in notebook.text
 
 

@@ -8,16 +8,14 @@ from typing import Any
 import pytest
 from tiny_course import KITCHEN_ANSWERS, KITCHEN_QUESTIONS
 
-from autograder.course.answers import (
-    ExpressionAnswer,
-    FunctionAnswer,
-    NumberAnswer,
-    OrderAnswer,
-    TrueFalseAnswer,
-    answer_from_table,
-)
+from autograder.course.answers import answer_from_table
 from autograder.course.questions import question_from_table
 from autograder.errors import CourseError
+from autograder.kinds.expression.answer import ExpressionAnswer
+from autograder.kinds.function.answer import FunctionAnswer
+from autograder.kinds.number.answer import NumberAnswer
+from autograder.kinds.order.answer import OrderAnswer
+from autograder.kinds.true_false.answer import TrueFalseAnswer
 
 KITCHEN = "solutions/answers/kitchen.toml"
 ANSWERS = tomllib.loads(KITCHEN_ANSWERS)

@@ -11,7 +11,7 @@ import pytest
 
 from autograder.errors import UsageError
 from autograder.gradebook import SCHEMA_VERSION, Gradebook, GradebookError
-from autograder.grading.submission import Graded
+from autograder.grading.graded import Graded
 from autograder.intake.submissions import Submission
 from tests.classroom import fill, graded, hostile_mark, mark
 
@@ -77,7 +77,7 @@ def test_the_latest_override_counts_and_none_withdraws_it(book: Gradebook):
     assert book.record("ada").total == 0
     book.override("ada", "Q1", None, "a mix-up")
     assert book.record("ada").total == 1
-    assert [reason for _, _, reason, _ in book.overrides("ada")] == ["first", "second", "a mix-up"]
+    assert [entry.reason for entry in book.overrides("ada")] == ["first", "second", "a mix-up"]
 
 
 def test_lateness_takes_its_percent_of_the_points_earned(book: Gradebook):

@@ -277,12 +277,13 @@ def test_an_error_of_the_graders_own_costs_one_submission_and_says_so(
 ):
     """Whatever a submission may yet find to break, the next one is graded."""
     from autograder.grading import submission as grading
+    from autograder.grading import whole_class
 
     zipped(handed_in / "boole.zip", {"2_cellar.ipynb": tiny_course.solved_cells("2_cellar")})
     zipped(handed_in / "cantor.zip", {"2_cellar.ipynb": tiny_course.solved_cells("2_cellar")})
     zipped(handed_in / "dedekind.zip", {"2_cellar.ipynb": tiny_course.solved_cells("2_cellar")})
     broken = {"boole", "cantor"}
-    read, mark = grading.read_submission, grading.grade_contents
+    read, mark = whole_class.read_submission, grading.grade_contents
 
     def read_or_fail(submission: Any, *arguments: Any) -> Any:
         if submission.student == "boole" and broken:
@@ -296,7 +297,7 @@ def test_an_error_of_the_graders_own_costs_one_submission_and_says_so(
             raise ValueError("the truth value of an array")
         return mark(contents, *arguments)
 
-    monkeypatch.setattr(grading, "read_submission", read_or_fail)
+    monkeypatch.setattr(whole_class, "read_submission", read_or_fail)
     monkeypatch.setattr(grading, "grade_contents", mark_or_fail)
     out = tmp_path / "out"
     command = ["--course", str(tiny_course.root), "grade", str(handed_in), "--out", str(out)]

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from autograder.course.answers import ExpressionAnswer
 from autograder.errors import CourseError
 from autograder.exchange import wire
+from autograder.kinds.expression.answer import ExpressionAnswer
 from autograder.kinds.expression.marking import POINT_COUNT, hidden_points
 from autograder.marking.make_probe import load_object, make_probe
 
@@ -16,14 +16,14 @@ def probe(course, id, seed):
 
 def test_the_same_seed_draws_the_same_points_and_another_one_others(tiny_course):
     course = tiny_course.load()
-    first, again, other = (probe(course, "Q1.4", seed).points for seed in (1, 1, 2))
+    first, again, other = (probe(course, "Q1.4", seed).kept for seed in (1, 1, 2))
     assert all(np.array_equal(first[name], again[name]) for name in first)
     assert not np.array_equal(first["a"], other["a"])
     assert not np.array_equal(first["a"], first["b"])
 
 
 def test_points_lie_in_their_ranges_and_derived_symbols_follow(tiny_course):
-    points = probe(tiny_course.load(), "Q1.4", 3).points
+    points = probe(tiny_course.load(), "Q1.4", 3).kept
     for name in ("a", "b"):
         assert points[name].shape == (2 * POINT_COUNT,)
         assert points[name].min() >= 1
@@ -49,7 +49,7 @@ def test_what_is_sent_can_cross_and_holds_arguments_only(tiny_course):
     for id in ("Q1.3", "Q1.4", "Q1.5"):
         assert wire.encode(probe(course, id, 1).sent)
     sent = probe(course, "Q1.5", 1).sent
-    assert sent.keys() == {"kind", "cases"}
+    assert sent.keys() == {"kind", "inside", "cases"}
     assert all(case.keys() == {"args", "kwargs"} for case in sent["cases"])
 
 
@@ -57,8 +57,8 @@ def test_the_reference_and_the_mistakes_are_run_on_the_cases_that_are_sent(tiny_
     ready = probe(tiny_course.load(), "Q1.5", 6)
     weights = [case["args"][0] for case in ready.sent["cases"]]
     means = [sum(some) / len(some) if some else 0 for some in weights]
-    assert [outcome["value"] for outcome in ready.expected.outcomes] == pytest.approx(means)
-    mistake, outcomes = ready.expected.mistakes[0]
+    assert [outcome["value"] for outcome in ready.kept.outcomes] == pytest.approx(means)
+    mistake, outcomes = ready.kept.mistakes[0]
     assert mistake.name == "the sum"
     assert [outcome["value"] for outcome in outcomes] == pytest.approx([sum(s) for s in weights])
 
@@ -118,4 +118,4 @@ def test_a_random_generator_as_an_argument_is_the_same_for_both_sides(tiny_cours
     ready = probe(tiny_course.load(), "Q1.5", 1)
     assert ready.sent["cases"][0]["args"] == [{"rng": 7}]
     expected = int(np.random.default_rng(7).integers(1, 7))
-    assert ready.expected.outcomes == [{"value": expected}]
+    assert ready.kept.outcomes == [{"value": expected, "drawn": 1}]

@@ -11,6 +11,7 @@ import sympy as sp
 
 import data
 from notebooks import figures
+from notebooks.explorers.still import ransac_run
 from notebooks.figures import chances, style
 
 
@@ -47,6 +48,8 @@ def rng() -> np.random.Generator:
 
 
 PLAIN = {
+    "cloud_views": lambda: figures.cloud_views(POINTS),
+    "ransac_steps": lambda: figures.ransac_steps(POINTS, ransac_run(POINTS, 0.05, 10, 1), 0.05),
     "steep_walls": lambda: figures.steep_walls(POINTS - POINTS.mean(axis=0)),
     "polar_line": lambda: figures.polar_line(2.0, -2.0),
     "polar_lines": lambda: figures.polar_lines([(1.0, 0.0), (0.0, 3.0), (2.0, -3.0), (1.0, 1.0)]),

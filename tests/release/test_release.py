@@ -11,15 +11,19 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from packaging.requirements import Requirement
 
 from autograder.course import Course, load_course
-from autograder.course.answers import ExpressionAnswer, FunctionAnswer
-from autograder.course.formula import evaluate_formula
 from autograder.errors import CourseError, UsageError
+from autograder.kinds.expression.answer import ExpressionAnswer
+from autograder.kinds.expression.formula import evaluate_formula
+from autograder.kinds.function.answer import FunctionAnswer
+from autograder.kinds.registry import kind_of
 from autograder.marking.make_probe import load_object
-from autograder.marking.snapshots import SnapshotMarker, pack, unpack
+from autograder.marking.pack import pack, unpack
+from autograder.marking.snapshots import SnapshotMarker
 from autograder.release.bundle import release
-from autograder.release.leaks import leaks, secrets
+from autograder.release.leaks import leaks
 from autograder.sandbox.inside.evaluate import evaluate
 from tests.classroom import SECRETS, copy_course, make_course, notebook
 
@@ -65,8 +69,9 @@ def test_nothing_of_the_real_key_is_in_the_real_bundle(course: Course, bundle: P
     # Written again without the release's own search: whole texts, as they stand in the key.
     text = everything(bundle)
     escaped = json.dumps(text)
-    for answer in course.key.values():
-        for secret in secrets(answer):
+    for id, answer in course.key.items():
+        question = course.question(id)
+        for secret in kind_of(question).secrets(question, answer):
             if len(secret) >= 16:
                 assert secret not in text
                 assert json.dumps(secret)[1:-1] not in escaped
@@ -133,12 +138,24 @@ def test_a_folder_that_holds_something_is_never_written_to(orchard: Course, tmp_
 
 def test_students_install_what_notebooks_need_and_no_more(bundle: Path):
     table = tomllib.loads((bundle / "pyproject.toml").read_text())
-    names = " ".join(table["project"]["dependencies"])
-    for needed in ("jupyterlab", "numpy", "sympy", "matplotlib", "anywidget", "filelock"):
+    names = {entry.partition(">")[0] for entry in table["project"]["dependencies"]}
+    for needed in ("numpy", "sympy", "matplotlib", "anywidget", "filelock"):
         assert needed in names
-    for unwanted in ("nbval", "jupytext", "rich"):
+    for unwanted in ("nbval", "jupytext", "jupyterlab", "ipykernel", "course-autograder"):
         assert unwanted not in names
+    lab = table["project"]["optional-dependencies"]["lab"]
+    assert any(entry.startswith("jupyterlab>") for entry in lab)
     assert "scripts" not in table["project"]
+
+
+def test_a_hosted_kernel_is_not_replaced(bundle: Path):
+    """Colab brings IPython 7.34 and ipykernel 6.17, and restarts its kernel for no student."""
+    table = tomllib.loads((bundle / "pyproject.toml").read_text())
+    for entry in table["project"]["dependencies"]:
+        requirement = Requirement(entry)
+        theirs = {"ipython": "7.34.0", "ipykernel": "6.17.1", "numpy": "2.0.2"}
+        if requirement.name in theirs:
+            assert requirement.specifier.contains(theirs[requirement.name]), entry
 
 
 # The checks in the bundle

@@ -113,7 +113,7 @@ def test_mistakes_are_counted_by_name_and_the_most_common_is_first(course: Cours
 def test_a_function_that_is_wrong_everywhere_is_one_mistake_not_many(course: Course):
     parts = (Part("a basket", False, ""), Part("three", False, ""))
     (mistake,) = common_mistakes(course, [Record(graded("a", mark("Q4", 0, parts=parts)), 1, 1)])
-    assert mistake.name == "wrong on every kind of input"
+    assert mistake.name == "wrong on all kinds of input"
 
 
 def test_who_needs_help_are_the_lowest_and_those_whose_work_does_not_run(course: Course):

@@ -43,7 +43,8 @@ def test_no_text_of_a_student_reaches_the_terminal_as_a_command(course: Course, 
     record = hostile_record()
     change = Change(HOSTILE, HOSTILE, record.marks["Q1"], record.marks["Q2"], True)
     out = printed(lambda console: print_table(console, course, [record]))
-    out += printed(lambda c: print_record(c, course, record, [(HOSTILE, 1.0, HOSTILE, HOSTILE)]))
+    override = Override(HOSTILE, "Q1", 1.0, HOSTILE, HOSTILE, HOSTILE)
+    out += printed(lambda c: print_record(c, course, record, [override]))
     out += printed(lambda c: print_changes(c, {HOSTILE: record}, [change]))
     warn(HOSTILE)
     out += capsys.readouterr().err

@@ -255,3 +255,15 @@ def test_what_cannot_be_clustered_is_said_in_one_sentence():
     for branching, depth in ((1, 3), (10, 0)):
         with pytest.raises(ValueError, match="branching of 2 or more"):
             VocabularyTree(branching, depth)
+
+
+def test_sift_kept_as_bytes_is_not_taken_for_bits():
+    """SIFT's numbers are whole and below 256; ORB's 32 bytes are 256 bits."""
+    rng = np.random.default_rng(5)
+    sift = rng.integers(0, 256, (400, 128))
+    as_bytes = VocabularyTree(4, 2).fit(sift.astype(np.uint8), np.random.default_rng(1))
+    as_floats = VocabularyTree(4, 2).fit(sift.astype(np.float32), np.random.default_rng(1))
+    assert not as_bytes.binary
+    assert np.array_equal(as_bytes.words(sift.astype(np.uint8)), as_floats.words(sift * 1.0))
+    assert np.array_equal(as_floats.words(sift.astype(np.uint8)), as_floats.words(sift * 1.0))
+    assert VocabularyTree(4, 2).fit(sift[:, :32].astype(np.uint8), rng).binary

@@ -253,3 +253,12 @@ def test_a_plane_worked_by_hand():
 def test_a_cloud_without_a_plane_is_reported(points, message):
     with pytest.raises(ValueError, match=message):
         fit_plane(points)
+
+
+def test_a_model_that_the_fit_leaves_without_inliers_is_no_model(monkeypatch):
+    """A fit may lose all points: one whose line lies elsewhere stands for that."""
+    from solutions.ransac.fast import consensus
+
+    monkeypatch.setattr(consensus, "fit_line", lambda points: Line(100.0, 0.0))
+    points = np.column_stack([np.arange(9.0), np.zeros(9)])
+    assert ransac_line(points, 0.1, 5, np.random.default_rng(0)) is None

@@ -133,7 +133,7 @@ def test_no_course_nearby_gets_one_sentence(
         assert action() is None
         said = capsys.readouterr().out
         assert said.count("\n") == 1
-        assert "There is no course in" in said
+        assert "outside of its course" in said
 
 
 def test_a_missing_answer_file_gets_one_sentence(

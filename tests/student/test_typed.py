@@ -8,13 +8,21 @@ from pathlib import Path
 import pytest
 import sympy as sp
 
-from autograder.course.questions import Expression, Number, TrueFalse
 from autograder.errors import UsageError
-from autograder.student.typed import read_typed, typed_cell
+from autograder.kinds.expression.inside.typed import read_expression
+from autograder.kinds.expression.question import Expression
+from autograder.kinds.number.question import Number
+from autograder.kinds.number.typed import read_number
+from autograder.kinds.registry import kind_of
+from autograder.kinds.true_false.question import TrueFalse
 
 COMMON = {"id": "Q1", "chapter": "c", "title": "t", "prompt": "p", "points": 1.0, "hints": ("h",)}
 NUMBER = Number(**COMMON, variable="area", integer=True)
 FORMULA = Expression(**COMMON, variable="fence", symbols=(("w", "width"), ("l", "length")))
+
+
+def cell_for(question, response):
+    return kind_of(question).typed_cell(question, response)
 
 
 @pytest.mark.parametrize(
@@ -33,7 +41,7 @@ FORMULA = Expression(**COMMON, variable="fence", symbols=(("w", "width"), ("l", 
     ],
 )
 def test_a_number_is_read(text: str, value: float):
-    assert read_typed(NUMBER, text, {"n": 10}) == pytest.approx(value)
+    assert read_number(text, {"n": 10}) == pytest.approx(value)
 
 
 @pytest.mark.parametrize(
@@ -61,7 +69,7 @@ def test_a_number_is_read(text: str, value: float):
 )
 def test_what_is_no_number_is_refused_with_a_reason(text: str, said: str):
     with pytest.raises(UsageError, match=said):
-        read_typed(NUMBER, text, {"x": "text"})
+        read_number(text, {"x": "text"})
 
 
 @pytest.mark.parametrize(
@@ -70,7 +78,7 @@ def test_what_is_no_number_is_refused_with_a_reason(text: str, said: str):
 )
 def test_a_formula_is_read_in_the_declared_symbols(text: str):
     w, length = sp.symbols("w l", real=True)
-    assert sp.simplify(read_typed(FORMULA, text) - 2 * (w + length)) == 0
+    assert sp.simplify(read_expression(FORMULA, text) - 2 * (w + length)) == 0
 
 
 @pytest.mark.parametrize(
@@ -85,7 +93,7 @@ def test_a_formula_is_read_in_the_declared_symbols(text: str):
 )
 def test_what_is_no_formula_is_refused_with_a_reason(text: str, said: str):
     with pytest.raises(UsageError, match=said):
-        read_typed(FORMULA, text)
+        read_expression(FORMULA, text)
 
 
 def test_the_cell_for_the_grader_fills_in_what_the_notebook_left_open(
@@ -93,7 +101,7 @@ def test_the_cell_for_the_grader_fills_in_what_the_notebook_left_open(
 ):
     monkeypatch.setenv("AUTOGRADER_COURSE", str(garden_template))
     formula = Expression(**COMMON | {"id": "Q1.4"}, variable="fence", symbols=FORMULA.symbols)
-    cells = [typed_cell(NUMBER, 12), typed_cell(formula, "2*w")]
+    cells = [cell_for(NUMBER, 12), cell_for(formula, "2*w")]
     left_open = {"area": ..., "other": 1}
     for cell in cells:
         exec(str(cell), left_open)
@@ -107,13 +115,13 @@ def test_the_cell_for_the_grader_fills_in_what_the_notebook_left_open(
 
 @pytest.mark.parametrize("response", [None, True, "12", [1], {"a": 1}])
 def test_nothing_else_becomes_a_cell(response: object):
-    assert typed_cell(NUMBER, response) is None
-    assert typed_cell(TrueFalse(**COMMON, statements=("a",)), response) is None
+    assert cell_for(NUMBER, response) is None
+    assert cell_for(TrueFalse(**COMMON, statements=("a",)), response) is None
 
 
 def test_what_a_file_says_was_typed_cannot_run(garden_template: Path, monkeypatch):
     monkeypatch.setenv("AUTOGRADER_COURSE", str(garden_template))
     formula = Expression(**COMMON | {"id": "Q1.4"}, variable="fence", symbols=FORMULA.symbols)
     namespace: dict[str, object] = {}
-    exec(str(typed_cell(formula, "'); raise SystemExit('")), namespace)
+    exec(str(cell_for(formula, "'); raise SystemExit('")), namespace)
     assert namespace["fence"] is ...

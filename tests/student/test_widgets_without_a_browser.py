@@ -12,11 +12,13 @@ import sympy as sp
 
 from autograder import check
 from autograder.course import load_course
-from autograder.student import widgets
+from autograder.kinds.registry import kind_of
 from autograder.student.desk import Desk
 from autograder.student.receipts import RECEIPT
 from autograder.student.responses import Responses
 from autograder.student.widgets.base import CourseWidget
+from autograder.student.widgets.progress import ProgressWidget
+from autograder.student.widgets.submission import SubmissionWidget
 
 
 @pytest.fixture
@@ -33,7 +35,8 @@ def sent(monkeypatch: pytest.MonkeyPatch) -> list[dict[str, Any]]:
 
 
 def show(desk: Desk, id: str) -> Any:
-    return widgets.question_widget(desk, desk.course.question(id))
+    question = desk.course.question(id)
+    return kind_of(question).widget(desk, question)
 
 
 def say(widget: Any, do: str, **message: Any) -> None:
@@ -140,12 +143,12 @@ def test_hints_are_opened_one_by_one_and_are_no_answer(desk: Desk, garden: Path,
         say(widget, "hint")
         assert widget.state["hints"] == count
     assert show(Desk(load_course()), "Q1.1").state["hints"] == 2
-    progress = widgets.progress_widget(desk)
+    progress = ProgressWidget(desk)
     assert progress.state["chapters"][0]["answered"] == 0
 
 
 def test_progress_and_other_widgets_of_the_question_follow(desk: Desk, sent):
-    progress = widgets.progress_widget(desk)
+    progress = ProgressWidget(desk)
     first, second = show(desk, "Q1.1"), show(desk, "Q1.1")
     say(first, "choose", statement=0, said=False)
     say(first, "check")
@@ -201,7 +204,7 @@ def test_a_value_of_the_notebook_is_shown_without_a_field(desk: Desk, sent):
     question = desk.course.question("Q1.4")
     w, length = sp.symbols("w l")
     mark = desk.mark_value(question, w + length)
-    widget = widgets.value_widget(desk, question, w + length, mark)
+    widget = kind_of(question).widget(desk, question, w + length, mark)
     assert widget.fixed["field"] is False
     assert "<math" in widget.state["understood"]
     assert widget.state["mark"]["status"] == "partial"
@@ -216,7 +219,7 @@ def test_a_value_of_the_notebook_takes_the_place_of_a_typed_one(desk: Desk, gard
 
 def test_a_function_has_no_field(desk: Desk, sent):
     question = desk.course.question("Q1.5")
-    widget = widgets.value_widget(desk, question, sum, desk.mark_value(question, sum))
+    widget = kind_of(question).widget(desk, question, sum, desk.mark_value(question, sum))
     assert widget.fixed["field"] is False
     assert widget.state["mark"]["status"] == "right"
 
@@ -246,7 +249,7 @@ def test_the_panel_lists_what_is_open_and_packs_again(own_garden: Path, sent):
     from autograder.student.api import _pack
 
     desk = Desk(load_course())
-    panel = widgets.submission_widget(desk, _pack(desk), lambda: _pack(desk))
+    panel = SubmissionWidget(desk, _pack(desk), lambda: _pack(desk))
     questions = panel.state["chapters"][0]["questions"]
     assert [entry["answered"] for entry in questions] == [False] * 5
     assert panel.state["path"] == str(own_garden / "notebooks/submission.zip")
@@ -282,14 +285,14 @@ def test_checking_the_variable_that_a_field_has_filled_keeps_what_was_typed(
 def test_a_check_button_stands_where_something_can_be_marked(bundle: Path):
     desk = Desk(load_course())
     assert not show(desk, "Q1.1").fixed["marks"]
-    assert not widgets.progress_widget(desk).state["chapters"][0]["marks"]
+    assert not ProgressWidget(desk).state["chapters"][0]["marks"]
     (bundle / "notebooks/snapshots").mkdir()
     snapshot = {"Q1.4": {"points": {"w": [1.0]}, "accepted": [], "checked": True}}
     (bundle / "notebooks/snapshots/garden.json").write_text(json.dumps(snapshot))
     desk = Desk(load_course())
     assert show(desk, "Q1.4").fixed["marks"]
     assert not show(desk, "Q1.3").fixed["marks"]
-    assert not widgets.progress_widget(desk).state["chapters"][0]["marks"]
+    assert not ProgressWidget(desk).state["chapters"][0]["marks"]
 
 
 def test_a_chapter_for_practice_has_check_buttons(bundle: Path, garden_template: Path):
@@ -297,4 +300,4 @@ def test_a_chapter_for_practice_has_check_buttons(bundle: Path, garden_template:
     (bundle / "notebooks/snapshots").mkdir()
     desk = Desk(load_course())
     assert all(show(desk, id).fixed["marks"] for id in desk.course.questions)
-    assert widgets.progress_widget(desk).state["chapters"][0]["marks"]
+    assert ProgressWidget(desk).state["chapters"][0]["marks"]

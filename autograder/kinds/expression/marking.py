@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from autograder.course.answers import ExpressionAlternative, ExpressionAnswer
-from autograder.course.formula import evaluate_formula
-from autograder.course.questions import Expression
+from autograder.kinds.expression.answer import ExpressionAlternative, ExpressionAnswer
+from autograder.kinds.expression.formula import evaluate_formula
+from autograder.kinds.expression.question import Expression
 from autograder.marking.mark import Mark, status_for
 
 Points = dict[str, NDArray[np.float64]]

@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
+import builtins
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
-from autograder.course.answers import FunctionAlternative, FunctionAnswer
-from autograder.course.questions import Function
+from autograder.exchange.reasons import REASONS
+from autograder.kinds.function.answer import FunctionAlternative, FunctionAnswer
+from autograder.kinds.function.question import Function
+from autograder.kinds.function.shown import shown_outcome
 from autograder.marking.mark import Mark, Part, status_for
-from autograder.marking.shown import shown_outcome
-from autograder.sandbox.inside.evaluate import REASONS
 
 Outcome = dict[str, Any]
 Compare = Callable[[dict[str, Any], Any, Any], bool]
@@ -22,7 +23,9 @@ Compare = Callable[[dict[str, Any], Any, Any], bool]
 class Expected:
     """What the trusted side knows of a function question: cases and their right outcomes.
 
-    An outcome is ``{"value": ...}``, ``{"raised": class}`` or ``{"unusable": reason}``.
+    An outcome is ``{"value": ...}``, ``{"raised": class}`` or ``{"unusable": reason}``. A value
+    may come with ``"changed"``, if an input was changed in place, and with ``"drawn"``, how many
+    random numbers were taken.
     """
 
     cases: Sequence[dict[str, Any]]
@@ -113,13 +116,37 @@ def agrees(compare: Compare, case: dict[str, Any], expected: Outcome, actual: An
         return False
     try:
         if "value" not in expected:
-            return "value" not in actual and bool(actual == expected)
-        if "value" not in actual:
+            return "value" not in actual and _same_failure(expected, actual)
+        if "value" not in actual or ("changed" in actual) != ("changed" in expected):
+            return False
+        if _drew_as_asked(case, actual) != _drew_as_asked(case, expected):
             return False
         return bool(compare(case, expected["value"], actual["value"]))
     except Exception:
         # The value is a student's and may be anything; one that compare cannot read is not equal.
         return False
+
+
+def _same_failure(expected: Outcome, actual: dict[str, Any]) -> bool:
+    """Whether a call fails as it should; a more special exception is one of the general class."""
+    right, given = expected.get("raised"), actual.get("raised")
+    if not (isinstance(right, str) and isinstance(given, str)):
+        return bool(actual == expected)
+    if given == "LinAlgError":  # NumPy's, a ValueError
+        return right in ("LinAlgError", "ValueError", "Exception")
+    kind, general = getattr(builtins, given, None), getattr(builtins, right, None)
+    if isinstance(kind, type) and isinstance(general, type):
+        return issubclass(kind, general)
+    return given == right
+
+
+def _drew_as_asked(case: dict[str, Any], outcome: dict[str, Any]) -> bool:
+    """Whether as many random numbers were taken as the case says, the ends of "draws" included."""
+    if "draws" not in case:
+        return True
+    low, high = case["draws"]
+    drawn = outcome.get("drawn")
+    return type(drawn) is int and low <= drawn <= high
 
 
 def close(case: dict[str, Any], expected: Any, actual: Any) -> bool:
@@ -178,12 +205,12 @@ def _what_happened(outcomes: Sequence[Any], indices: Sequence[int]) -> str:
             reason = outcome["unusable"]
             known = isinstance(reason, str) and reason in REASONS
             return f" ({REASONS[reason if known else 'not plain']})"
+        if isinstance(outcome, dict) and "changed" in outcome:
+            return " (it changes its input in place; work on a copy)"
     return ""
 
 
 def _known_error(name: Any) -> str:
     """Only names that Python itself defines are repeated: any other could carry a hidden input."""
-    import builtins
-
     known = isinstance(name, str) and (hasattr(builtins, name) or name == "LinAlgError")
     return name if known else "an exception"

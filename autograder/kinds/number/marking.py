@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from autograder.course.answers import NumberAnswer
-from autograder.course.questions import Number
+from autograder.kinds.number.answer import NumberAnswer
+from autograder.kinds.number.question import Number
 from autograder.marking.mark import Mark, status_for
 
 

@@ -10,8 +10,9 @@ from collections.abc import Iterable, Iterator, Sequence
 from itertools import permutations, product
 from typing import Any
 
-from autograder.course.answers import OrderAnswer
-from autograder.course.questions import Order
+from autograder.kinds.order.answer import OrderAnswer
+from autograder.kinds.order.question import Order
+from autograder.kinds.order.response import fits
 from autograder.marking.mark import Mark, Part, not_attempted, status_for, stopped
 
 
@@ -20,7 +21,7 @@ def mark_order(question: Order, answer: OrderAnswer, response: Any) -> Mark:
 
     ``response`` is a list of all card ids.
     """
-    if not fits_order(question, response):
+    if not fits(question, response):
         return stopped(question, "unreadable", "The stored response does not name every card once.")
     order = tuple(response)
     if order == question.start:
@@ -50,7 +51,7 @@ def mark_order(question: Order, answer: OrderAnswer, response: Any) -> Mark:
         feedback += (
             f" {mistake.feedback}" if mistake else " " + _first_conflict(question, order, after)
         )
-    texts = {card.id: card.text for card in question.cards}
+    texts = question.texts
     explanation = "\n".join(f"{n}. {texts[card]}" for n, card in enumerate(answer.order, 1))
     if answer.explanation:
         explanation += f"\n\n{answer.explanation}"
@@ -69,15 +70,6 @@ def mark_order(question: Order, answer: OrderAnswer, response: Any) -> Mark:
         ),
         explanation=explanation,
         understood=" › ".join(texts[card] for card in order),
-    )
-
-
-def fits_order(question: Order, response: Any) -> bool:
-    """Whether the response is a list that names every card exactly once."""
-    return (
-        isinstance(response, list | tuple)
-        and all(isinstance(card, str) for card in response)
-        and sorted(response) == sorted(question.start)
     )
 
 
@@ -166,7 +158,7 @@ def _where(card: str, answer: OrderAnswer, texts: dict[str, str]) -> str:
 
 
 def _first_conflict(question: Order, order: Sequence[str], after: dict[str, set[str]]) -> str:
-    texts = {card.id: card.text for card in question.cards}
+    texts = question.texts
     for position, later in enumerate(order):
         for earlier in order[:position]:
             if earlier in after.get(later, ()):

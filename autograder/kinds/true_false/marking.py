@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from autograder.course.answers import TrueFalseAnswer
-from autograder.course.questions import TrueFalse
+from autograder.kinds.true_false.answer import TrueFalseAnswer
+from autograder.kinds.true_false.question import TrueFalse
+from autograder.kinds.true_false.response import fits
 from autograder.marking.mark import Mark, Part, not_attempted, status_for, stopped
 
 
@@ -14,7 +15,7 @@ def mark_true_false(question: TrueFalse, answer: TrueFalseAnswer, response: Any)
 
     ``response`` is a list of True, False or None (open), one for each statement.
     """
-    if not fits_true_false(question, response):
+    if not fits(question, response):
         return stopped(
             question,
             "unreadable",
@@ -49,13 +50,4 @@ def mark_true_false(question: TrueFalse, answer: TrueFalseAnswer, response: Any)
         parts=tuple(parts),
         explanation=answer.explanation,
         understood=", ".join({True: "true", False: "false", None: "–"}[said] for said in response),
-    )
-
-
-def fits_true_false(question: TrueFalse, response: Any) -> bool:
-    """Whether the response is a list of True, False or None, one for each statement."""
-    return (
-        isinstance(response, list | tuple)
-        and len(response) == len(question.statements)
-        and all(said is None or isinstance(said, bool) for said in response)
     )

@@ -16,6 +16,7 @@ from autograder.course import Course
 from autograder.gradebook.record import Record
 from autograder.release.files import grader_files
 from autograder.release.gradescope.results import results
+from autograder.release.pyproject import bundle_pyproject
 from autograder.reports.files import file_name, write_text
 
 _SETUP = """#!/usr/bin/env bash
@@ -62,6 +63,7 @@ def write_autograder_zip(path: Path, course: Course, explanations: bool = False)
         _add(archive, "run_autograder", _RUN.format(options=options).encode(), 0o755)
         for name, file in grader_files(course):
             _add(archive, f"course/{name}", file.read_bytes(), 0o644)
+        _add(archive, "course/pyproject.toml", bundle_pyproject(course, "-grader").encode(), 0o644)
     os.replace(unfinished, path)
 
 

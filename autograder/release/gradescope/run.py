@@ -17,7 +17,9 @@ from typing import Any
 
 from autograder.course import load_course
 from autograder.gradebook.record import Record
-from autograder.grading.submission import Graded, grade_all
+from autograder.grading.graded import Graded
+from autograder.grading.threads import Threads
+from autograder.grading.whole_class import grade_class
 from autograder.intake.submissions import Submission
 from autograder.marking.marker import Marker
 from autograder.release.gradescope.results import failure, results
@@ -49,7 +51,8 @@ def _grade(root: Path, course_root: Path, explanations: bool) -> dict[str, Any]:
     marker = Marker(course, secrets.randbits(32))
     done: list[Graded] = []
     try:
-        grade_all([submission], marker, 1, done.append)
+        with Threads(marker, 1) as spread:
+            grade_class([submission], course, spread, done.append)
     except SandboxError as error:
         print(error)
         return failure("student code could not be kept in", most_points(course))

@@ -15,6 +15,7 @@ from contextlib import suppress
 from pathlib import Path
 from types import ModuleType
 
+from autograder.sandbox.inside.evaluate import load_kinds
 from autograder.sandbox.inside.notebook import Notebook
 
 _LIBRARIES = (
@@ -33,7 +34,7 @@ _LIBRARIES = (
 # Small things of the kind that notebooks do; what they load and cache is then there.
 _CELLS = (
     """
-import numpy as np, sympy as sp, matplotlib.pyplot as plt, cv2
+import numpy as np, sympy as sp
 x, y = sp.symbols("x y", real=True)
 f = sp.sin(x * y)**2 + sp.sqrt(x**2 + 1) / y
 sp.diff(f, x); sp.simplify((x**2 - 1) / (x - 1)); sp.solve(x**2 - y, x); str(f)
@@ -42,12 +43,15 @@ sp.atan2(x, y).subs({x: 1, y: 2}).evalf(); sp.Matrix([[x, 1], [1, y]]).det()
 np.linalg.svd(np.eye(2)); np.linalg.lstsq(np.eye(2), np.ones(2), rcond=None); np.cov(np.eye(2))
 np.random.default_rng(0).normal(size=3); np.random.rand(2)
 """,
+    # OpenCV and Matplotlib may be missing: such a cell fails, and nobody minds.
     """
+import matplotlib.pyplot as plt
 figure, axes = plt.subplots(1, 2)
 axes[0].plot([0, 1], [0, 1], label="a"); axes[1].scatter([0, 1], [0, 1], c=[0, 1])
 axes[0].set_title("t"); axes[0].legend(); axes[0].set_aspect("equal"); plt.show()
 """,
     """
+import cv2
 picture = np.zeros((64, 64), np.uint8); picture[20:40, 20:40] = 255
 cv2.ORB_create().detectAndCompute(picture, None); cv2.SIFT_create().detectAndCompute(picture, None)
 cv2.GaussianBlur(picture, (3, 3), 1); cv2.cvtColor(picture, cv2.COLOR_GRAY2BGR)
@@ -64,15 +68,15 @@ def warm(with_course: bool) -> Notebook:
 
     Only in a sandbox ``with_course``, which imports what a folder of that name holds.
     """
-    for name in _LIBRARIES:
+    for name in (*_LIBRARIES, *os.environ.get("AUTOGRADER_PACKAGES", "").split()):
         with suppress(Exception):
             importlib.import_module(name)
     for name in _course_modules() if with_course else ():
         with suppress(Exception):
             importlib.import_module(name)
-    import cv2
-
-    cv2.setNumThreads(1)  # its threads would not be there after a fork
+    if "cv2" in sys.modules:
+        sys.modules["cv2"].setNumThreads(1)  # its threads would not be there after a fork
+    load_kinds()
     notebook = Notebook()
     notebook.run(list(_CELLS), ["f", "x", "figure"])
     if with_course and _asks_in_its_notebooks():

@@ -16,8 +16,8 @@ _HERE = Path(__file__).parent
 
 
 @lru_cache(maxsize=32)
-def source(*names: str) -> str:
-    """Files of this folder, one after the other: a module and the helpers it uses."""
+def source(*names: str | Path) -> str:
+    """Files, one after the other: a module and the helpers it uses, which are in this folder."""
     return "\n".join((_HERE / name).read_text(encoding="utf-8") for name in names)
 
 

@@ -1,10 +1,11 @@
-"""Numbers, expressions and functions: what was understood, the mark, and a field to type into."""
+"""What a notebook's variable or function holds: how it was understood, its mark, maybe a field."""
 
 from __future__ import annotations
 
 from typing import Any
 
-from autograder.course.questions import Expression, Function, Number, Order, Question, TrueFalse
+from autograder.course.questions import Question
+from autograder.kinds.registry import kind_of
 from autograder.marking.mark import Mark
 from autograder.sandbox.inside.evaluate import describe
 from autograder.student.desk import Desk
@@ -12,25 +13,15 @@ from autograder.student.frontend import running_shell
 from autograder.student.responses import Entry
 from autograder.student.widgets.base import source
 from autograder.student.widgets.markup import formula, line
-from autograder.student.widgets.order import OrderWidget
 from autograder.student.widgets.question import QuestionWidget
-from autograder.student.widgets.true_false import TrueFalseWidget
-
-
-def question_widget(desk: Desk, question: Question) -> QuestionWidget:
-    """The widget of a question of any kind."""
-    if isinstance(question, TrueFalse):
-        return TrueFalseWidget(desk, question)
-    if isinstance(question, Order):
-        return OrderWidget(desk, question)
-    return ValueWidget(desk, question, ..., None, with_prompt=True)
 
 
 class ValueWidget(QuestionWidget):
     """A question that a variable or a function of the notebook answers.
 
-    ``value`` is what the notebook gave. Where that is still an ellipsis, a number or an expression
-    may be typed into a field instead, and the variable then takes that value.
+    ``value`` is what the notebook gave, and ``mark`` its mark; without one the question is asked.
+    Where the value is still an ellipsis, a response may be typed into a field if the kind has one,
+    and the variable then takes that value.
     """
 
     _esm = source("common.js", "question.js", "value.js")
@@ -40,13 +31,12 @@ class ValueWidget(QuestionWidget):
         self,
         desk: Desk,
         question: Question,
-        value: Any,
-        mark: Mark | None,
-        with_prompt: bool = False,
+        value: Any = ...,
+        mark: Mark | None = None,
     ) -> None:
         self.value = value
-        self.has_field = value is ... and isinstance(question, Number | Expression)
-        super().__init__(desk, question, with_prompt)
+        self.has_field = value is ... and kind_of(question).has_field
+        super().__init__(desk, question, with_prompt=mark is None)
         if mark is not None:
             self.show_mark(mark)
         elif desk.entry(question).get("attempts"):
@@ -57,16 +47,12 @@ class ValueWidget(QuestionWidget):
 
     def what_is_fixed(self) -> dict[str, Any]:
         question = self.question
-        symbols = question.symbols if isinstance(question, Expression) else ()
         return {
             **super().what_is_fixed(),
             "field": self.has_field,
             "name": question.name,
-            "kind": question.kind,
-            "unit": question.unit if isinstance(question, Number) else "",
-            "symbols": [{"name": name, "meaning": line(meaning)} for name, meaning in symbols]
-            if self._with_prompt
-            else [],
+            "unit": "",
+            "symbols": [],
         }
 
     def what_is_kept(self) -> dict[str, Any]:
@@ -84,20 +70,18 @@ class ValueWidget(QuestionWidget):
         return super().words(response)
 
     def understood(self, value: Any) -> str:
-        """A value as HTML: numbers with their unit, expressions typeset."""
-        if value is ... or isinstance(self.question, Function):
+        """A value as HTML, expressions typeset."""
+        if value is ...:
             return ""
         name = f"<code>{self.question.name}</code> ="
         if hasattr(value, "free_symbols"):
             import sympy as sp
 
             return f"{name} {formula(sp.latex(value))}"
-        unit = self.question.unit if isinstance(self.question, Number) else ""
-        return f"{name} {line(_plain(describe(value)))} {line(unit)}"
+        return f"{name} {line(_plain(describe(value)))}"
 
     def do_type(self, message: dict[str, Any]) -> dict[str, Any]:
         """Keep what is typed, as soon as it can be understood."""
-        assert isinstance(self.question, Number | Expression)
         value = self.desk.keep_typed(self.question, str(message["text"]))
         _assign(self.question, value)
         return {"understood": self.understood(value)}

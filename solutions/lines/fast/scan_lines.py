@@ -17,9 +17,11 @@ from solutions.lines.scan import (
     Settings,
     breaks,
     check_angles,
+    first_beams,
     is_bend,
     is_curved,
     is_echo,
+    is_full_turn,
 )
 
 AT_ONCE = 128  # scans: their arrays fit in the processor's cache
@@ -31,7 +33,7 @@ class ScanSegments:
 
     scan: np.ndarray  # (S,) index of the scan
     first_beam: np.ndarray  # (S,)
-    last_beam: np.ndarray  # (S,) the last one, included
+    last_beam: np.ndarray  # (S,) the last one, included; it may lie across a full turn's ends
     r: np.ndarray  # (S,) m
     alpha: np.ndarray  # (S,) rad
     covariance: np.ndarray  # (S, 2, 2), of (r, alpha)
@@ -44,7 +46,9 @@ class ScanSegments:
         segments = []
         for i in range(*np.searchsorted(self.scan, [scan, scan + 1])):
             first, last = self.first_beam[i], self.last_beam[i]
-            inliers = first + np.flatnonzero(self.echo[scan, first : last + 1])
+            B = self.echo.shape[1]
+            beams = (first + np.arange((last - first) % B + 1)) % B
+            inliers = beams[self.echo[scan, beams]]
             line = Line(float(self.r[i]), float(self.alpha[i]))
             segments.append(Segment(line, self.start[i], self.end[i], self.covariance[i], inliers))
         return segments
@@ -81,13 +85,23 @@ def _extract(
     ranges: np.ndarray, angles: np.ndarray, first_scan: int, settings: Settings
 ) -> ScanSegments:
     """Return the walls in some scans, of which the first one has the index `first_scan`."""
+    full = is_full_turn(angles)
+    echo_as_measured = is_echo(ranges, settings)
+    offset = np.zeros(len(ranges), dtype=np.intp)
+    if full:
+        B = len(angles)
+        offset = first_beams(ranges, angles, settings)
+        order = (offset[:, None] + np.arange(B)) % B
+        ranges = np.take_along_axis(ranges, order, axis=1)
+        angles = angles[order] + 2 * np.pi * (order < offset[:, None])
     echo = is_echo(ranges, settings)
     scan, beam = np.nonzero(echo)
     seen = np.where(echo, ranges, 0.0)
     x, y = seen * np.cos(angles), seen * np.sin(angles)
     points = np.column_stack([x[echo], y[echo]])
 
-    gaps = breaks(points, ranges[echo], angles[beam], settings) | (np.diff(scan) != 0)
+    turned = angles[echo] if full else angles[beam]
+    gaps = breaks(points, ranges[echo], turned, settings) | (np.diff(scan) != 0)
     ends = np.flatnonzero(gaps)
     first, last = np.append(0, ends + 1), np.append(ends, len(points) - 1)
     if not len(points):
@@ -109,9 +123,9 @@ def _extract(
     wall[left[bend]] = wall[right[bend]] = False
     return ScanSegments(
         scan=first_scan + scan[first[wall]],
-        first_beam=beam[first[wall]],
-        last_beam=beam[last[wall]],
-        echo=echo,
+        first_beam=(beam[first[wall]] + offset[scan[first[wall]]]) % echo.shape[1],
+        last_beam=(beam[last[wall]] + offset[scan[last[wall]]]) % echo.shape[1],
+        echo=echo_as_measured,
         **{name: column[wall] for name, column in lines.items()},
     )
 

@@ -11,6 +11,7 @@ from typing import Self
 import numpy as np
 
 from solutions.place_recognition.fast.storage import read_arrays, write_arrays
+from solutions.place_recognition.features import are_bits
 from solutions.place_recognition.k_means import half_squares, k_means, nearest_centers
 
 # A centre is settled well before it has seen this many points; faiss draws the line there too.
@@ -20,9 +21,10 @@ POINTS_PER_CENTER = 256
 class VocabularyTree:
     """A tree in which every node has `branching` children, and the leaves are the visual words.
 
-    Descriptors are (N, d): floats such as SIFT's, or bytes (uint8), each with 8 bits, such as
-    ORB's. Bits are taken as coordinates 0 and 1: the squared distance of two such points is
-    the number of bits in which they differ, and a centre holds the share of ones.
+    Descriptors are (N, d): numbers such as SIFT's (also as 128 bytes), or other bytes (uint8),
+    each with 8 bits, such as ORB's. Bits are taken as coordinates 0 and 1: the squared distance
+    of two such points is the number of bits in which they differ, and a centre holds the share
+    of ones.
 
     The centres of a level are one (nodes, branching, d) array: [i, j] is child j of node i,
     and node branching * i + j of the next level. Where a node had fewer different
@@ -63,7 +65,7 @@ class VocabularyTree:
         points = _as_points(descriptors)
         if len(points) == 0:
             raise ValueError("There are no descriptors to learn words from.")
-        self.binary = descriptors.dtype == np.uint8
+        self.binary = are_bits(descriptors)
         self._centers, self._offsets = [], []
         node = np.zeros(len(points), dtype=np.intp)
         for level in range(self.depth):
@@ -96,7 +98,7 @@ class VocabularyTree:
         descriptors = np.asarray(descriptors)
         points = _as_points(descriptors)
         dimension = self._centers[0].shape[-1]
-        binary = descriptors.dtype == np.uint8
+        binary = are_bits(descriptors)
         if points.shape[1] != dimension or binary != self.binary:
             raise ValueError(
                 f"These descriptors are {descriptors.dtype} of length {descriptors.shape[1]}; the "
@@ -185,7 +187,7 @@ def _as_points(descriptors: np.ndarray) -> np.ndarray:
     descriptors = np.asarray(descriptors)
     if descriptors.ndim != 2:
         raise ValueError(f"The descriptors must be an (N, d) array, not {descriptors.shape}.")
-    if descriptors.dtype == np.uint8:
+    if are_bits(descriptors):
         return np.unpackbits(descriptors, axis=1).astype(np.float32)
     points = np.ascontiguousarray(descriptors, dtype=np.float32)
     if not np.isfinite(points).all():

@@ -201,6 +201,8 @@ def _refit(
             return None
         count = np.count_nonzero(agrees)
         agrees = np.abs(kind.distances(points, model)) <= threshold
+        if np.count_nonzero(agrees) < kind.sample_size:
+            return None  # the fit has lost them all: a model without inliers is no model
         if np.count_nonzero(agrees) <= 1.01 * count:
             return Consensus(model, np.flatnonzero(agrees), tried)
 

@@ -1,0 +1,79 @@
+"""The records of a class as everybody is to see them: with people, and as the scheme has it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from autograder.course import Course
+from autograder.gradebook.book import Gradebook
+from autograder.gradebook.read_scheme import read_scheme
+from autograder.gradebook.record import Record
+from autograder.gradebook.scheme import Scheme, plain_scheme
+from autograder.intake.class_list import ClassList
+from autograder.intake.matching import Match
+from autograder.intake.person import Person
+
+SCHEME = "grading"  # the setting that holds the text of the accepted grading.toml
+
+
+@dataclass(frozen=True)
+class ClassView:
+    """A class: its course, its scheme, everybody's record, and who is in the class list.
+
+    ``matches`` says by the student's key whose each submission is, or why that is not certain.
+    """
+
+    course: Course
+    scheme: Scheme
+    records: tuple[Record, ...]
+    class_list: ClassList
+    matches: dict[str, Match]
+
+    @property
+    def missing(self) -> list[Person]:
+        """Those of the class list who handed in nothing that is certainly theirs."""
+        found = {person for record in self.records for person in record.people}
+        return [person for person in self.class_list.students if person not in found]
+
+    @property
+    def nobodys(self) -> list[Record]:
+        """The work that belongs to nobody in the class list, where there is one."""
+        if not self.class_list.students:
+            return []
+        return [record for record in self.records if not record.people]
+
+    @property
+    def open(self) -> list[Record]:
+        """The work in which a question waits for a person."""
+        return [record for record in self.records if record.open]
+
+
+def view_class(
+    course: Course,
+    book: Gradebook,
+    class_list: ClassList,
+    proposed: str | None = None,
+    where: str = "the grading.toml that was accepted",
+) -> ClassView:
+    """Everything about a class, as it was last decided.
+
+    ``proposed`` is the text of a grading.toml to see it by instead, and ``where`` its name.
+
+    Raises:
+        CourseError: if the scheme names what the course or the class does not have.
+    """
+    text = (book.setting(SCHEME) or "") if proposed is None else proposed
+    records, matches = with_people(book.records(), class_list)
+    scheme = read_scheme(text, course, records, where) if text else plain_scheme(course)
+    if text:
+        records = [replace(record, scheme=scheme) for record in records]
+    return ClassView(course, scheme, tuple(records), class_list, matches)
+
+
+def with_people(
+    records: Sequence[Record], class_list: ClassList
+) -> tuple[list[Record], dict[str, Match]]:
+    """The records with the people whose work they are, and what each was matched by."""
+    matches = class_list.match_all({record.student: record.origin for record in records})
+    return [replace(r, people=matches[r.student].people) for r in records], matches

@@ -1,0 +1,263 @@
+"""How one chapter of a submission is graded: its notebook runs once, then each question is put.
+
+`grade_chapter` is the whole way; what follows are its steps, in this order.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+from autograder.course import Chapter, Course
+from autograder.course.questions import Question
+from autograder.exchange.replies import NOT_PLAIN
+from autograder.grading.told import defining_cell, import_notes, in_words, shown_code
+from autograder.intake.submissions import Contents
+from autograder.kinds.registry import kind_of
+from autograder.marking import Mark, not_attempted, stopped
+from autograder.marking.marker import Marker
+from autograder.marking.probe import Probe
+from autograder.sandbox.launcher import Sandbox, Session, Stopped
+
+Opening = dict[str, Any] | Stopped | None
+
+
+def grade_chapter(
+    chapter: Chapter,
+    asked: Sequence[Question],
+    contents: Contents,
+    marker: Marker,
+    sandbox: Sandbox,
+    deadline: float,
+) -> list[Mark]:
+    """Mark the questions ``asked`` of one chapter; ``deadline`` is on the monotonic clock."""
+    if not asked:
+        return []
+    work = _collect(chapter, asked, contents, marker.course)
+    with sandbox.session(deadline) as session:
+        ran = _run_notebook(work, asked, session)
+        marks = {q.id: _mark_without_asking(q, work, ran, marker) for q in asked}
+        to_ask = [question for question in asked if marks[question.id] is None]
+        # Of all questions before the rest of any: what one function is asked with can be kept in a
+        # file for another.
+        openings = {q.id: _open(q, session, marker) for q in to_ask}
+        for question in to_ask:
+            opening = openings[question.id]
+            marks[question.id] = _mark_named(question, session, marker, work, ran, opening)
+    contents.notes.extend(import_notes(chapter.title, ran.told))
+    found = [mark for mark in marks.values() if mark is not None]
+    said = _ask_what_was_raised(found, work, marker, sandbox, deadline)
+    return [_with_code(mark, marker.course.questions[mark.question], work, said) for mark in found]
+
+
+@dataclass(frozen=True)
+class _Work:
+    """What a student handed in for one chapter.
+
+    ``cells`` are run; ``given`` are saved responses and ``receipts`` those in the outputs, both by
+    question. ``typed`` are questions whose field was filled in. ``unreadable`` says why the
+    notebook could not be opened, and ``is_missing`` that there is none.
+    """
+
+    cells: list[str]
+    receipts: dict[str, Any]
+    given: dict[str, Any]
+    typed: frozenset[str]
+    unreadable: str | None
+    is_missing: bool
+
+
+def _collect(
+    chapter: Chapter, asked: Sequence[Question], contents: Contents, course: Course
+) -> _Work:
+    notebook = contents.notebooks.get(chapter.name)
+    receipts = notebook.receipts if notebook else {}
+    given = {
+        id: entry["response"]
+        for id, entry in contents.sidecars.get(chapter.name, {}).items()
+        if entry.get("response") is not None
+    }
+    # What was typed into a field counts where the notebook itself assigns nothing.
+    kept = {**receipts, **given}
+    fillings = {q.id: kind_of(q).typed_cell(q, kept.get(q.id)) for q in asked}
+    typed = {id: cell for id, cell in fillings.items() if cell is not None}
+    cells = [cell for cell in (notebook.cells if notebook else ()) if cell not in course.demo_cells]
+    return _Work(
+        [*cells, *typed.values()],
+        receipts,
+        given,
+        frozenset(typed),
+        contents.unreadable.get(chapter.name),
+        notebook is None,
+    )
+
+
+@dataclass(frozen=True)
+class _Ran:
+    """What a student's process said when it had run the cells, of any shape, or why it did not."""
+
+    responses: dict[str, Any] = field(default_factory=dict)
+    understood: dict[str, Any] = field(default_factory=dict)
+    errors: Any = None
+    told: list[dict[str, Any] | None] = field(default_factory=list)
+    failure: Stopped | None = None
+
+
+def _run_notebook(work: _Work, asked: Sequence[Question], session: Session) -> _Ran:
+    if not work.cells:
+        return _Ran()
+    try:
+        report = session.run(work.cells, [question.name for question in asked if question.name])
+    except Stopped as stop:
+        return _Ran(failure=stop)
+    responses, understood = report.get("responses"), report.get("understood")
+    told = report.get("told")
+    told = told if isinstance(told, list) else []
+    return _Ran(_dictionary(responses), _dictionary(understood), report.get("errors"), told)
+
+
+def _mark_without_asking(question: Question, work: _Work, ran: _Ran, marker: Marker) -> Mark | None:
+    """The mark of a choice, or of what cannot be asked; None where the process must be asked."""
+    is_choice = question.name is None
+    if is_choice:
+        # What the student's widgets wrote is the truth; the code's own `respond` and the receipts
+        # in the outputs stand in where it is missing.
+        choice = {**work.receipts, **ran.responses, **work.given}.get(question.id)
+        if choice is not None:
+            return marker.mark(question.id, choice)
+    if work.unreadable is not None:
+        return stopped(question, "unreadable", work.unreadable)
+    if work.is_missing and question.id not in work.typed:
+        return not_attempted(question, "Its notebook was not handed in.")
+    if ran.failure is not None:
+        return stopped(question, ran.failure.status, _notebook_stopped(ran.failure))
+    return not_attempted(question) if is_choice else None
+
+
+def _open(question: Question, session: Session, marker: Marker) -> Opening:
+    """What came back for the question's opening; None if it has none."""
+    sent = marker.probe(question.id).opening
+    if sent is None or question.name is None:
+        return None
+    try:
+        return session.evaluate(question.name, sent)
+    except Stopped as stop:
+        return stop
+
+
+def _mark_named(
+    question: Question, session: Session, marker: Marker, work: _Work, ran: _Ran, opening: Opening
+) -> Mark:
+    """Mark a response that a variable or a function of the notebook holds."""
+    assert question.name is not None
+    try:
+        response = _ask(question.name, session, marker.probe(question.id), opening)
+    except Stopped as stop:
+        return stopped(question, stop.status, _response_stopped(stop))
+    reason = response.get("reason")
+    missing = isinstance(reason, str) and reason == "missing"
+    defining = defining_cell(question.name, work.cells) if missing else None
+    if defining is not None and isinstance(ran.errors, list) and any(ran.errors[defining:][:1]):
+        mark = stopped(
+            question,
+            "error",
+            f"The cell that should define {question.name} raised an exception. "
+            "Restart the kernel, run all cells, and mend the first one that fails.",
+        )
+        return replace(mark, told=in_words(next(iter(ran.told[defining:]), None)))
+    return marker.mark(question.id, response, _line(ran.understood.get(question.name, "")))
+
+
+def _ask(name: str, session: Session, probe: Probe, opening: Opening) -> dict[str, Any]:
+    """What comes back for the whole probe, of which the opening was put before.
+
+    Raises:
+        Stopped: if either part was stopped.
+    """
+    if isinstance(opening, Stopped):
+        raise opening
+    if opening is not None and opening.get("state") != "given":
+        return opening
+    if opening is not None and not probe.rest["cases"]:
+        return opening
+    response = session.evaluate(name, probe.rest)
+    if opening is None or response.get("state") != "given":
+        return response
+    first, others = opening.get("outcomes"), response.get("outcomes")
+    if not (isinstance(first, list) and isinstance(others, list) and len(first) == 1):
+        # With any other number an outcome of the rest would pass for that of the opening.
+        return NOT_PLAIN
+    return {"state": "given", "outcomes": first + others}
+
+
+def _ask_what_was_raised(
+    marks: Sequence[Mark], work: _Work, marker: Marker, sandbox: Sandbox, deadline: float
+) -> dict[str, str]:
+    """What functions raise for the input that students may see, in a process of its own.
+
+    The process that was marked knows the hidden inputs by now; what it says could carry them. Only
+    what raised on everything, or on a kind of input that may be public, is asked again.
+    """
+    asked = [
+        (question, opening)
+        for mark in marks
+        if not mark.told
+        and any("raises" in p.feedback for p in mark.parts)
+        and (question := marker.course.questions[mark.question]).name is not None
+        and (opening := _public_call(question, marker)) is not None
+    ]
+    if not asked:
+        return {}
+    said: dict[str, str] = {}
+    with sandbox.session(deadline) as session:
+        try:
+            session.run(work.cells, [])
+            for question, opening in asked:
+                assert question.name is not None
+                reply = session.evaluate(question.name, opening)
+                said[question.id] = in_words(reply.get("told"))
+        except Stopped:
+            pass  # what could not be found out is not told; the mark stands
+    return said
+
+
+def _public_call(question: Question, marker: Marker) -> dict[str, Any] | None:
+    """The probe cut to its first case, if that is one that students may see."""
+    probe = marker.probe(question.id)
+    if kind_of(question).example(probe) is None:
+        return None
+    return {**probe.sent, "cases": probe.sent["cases"][:1], "tell": True}
+
+
+def _with_code(mark: Mark, question: Question, work: _Work, said: dict[str, str]) -> Mark:
+    """The mark with the student's own words: the code of the response, and what it raised."""
+    if question.name is None or mark.status == "not attempted":
+        return mark
+    cell = defining_cell(question.name, work.cells)
+    code = "" if cell is None else shown_code(work.cells[cell])
+    return replace(mark, code=code, told=mark.told or said.get(question.id, ""))
+
+
+def _notebook_stopped(stop: Stopped) -> str:
+    if stop.status == "timeout":
+        why = f": {stop.why}" if stop.why else ""
+        return f"Running the notebook took longer than the time limit{why}."
+    why = stop.why or "too much memory, a crash, or an exit"
+    return f"The notebook's process ended while it ran: {why}."
+
+
+def _response_stopped(stop: Stopped) -> str:
+    if stop.status == "timeout" and stop.why:
+        return f"It took longer than the time limit: {stop.why}."
+    return f"The process that ran it was ended: {stop.why}." if stop.why else ""
+
+
+def _line(value: Any) -> str:
+    """One short printable line of what a student's process said; it may have said anything."""
+    text = value if isinstance(value, str) else ""
+    return "".join(c if c.isprintable() else " " for c in text[:200])
+
+
+def _dictionary(value: Any) -> dict[str, Any]:
+    return value if isinstance(value, dict) else {}

@@ -1,0 +1,69 @@
+"""The values of an expression at the points of a probe. Runs beside the student's code."""
+
+from __future__ import annotations
+
+import numbers
+from typing import Any
+
+import numpy as np
+
+from autograder.kinds.expression.inside.values import values_at
+from autograder.sandbox.inside.plain_data import Unusable, is_sympy, only_entry
+
+
+def evaluate(response: Any, probe: dict[str, Any]) -> dict[str, Any]:
+    """The values of a response at the probe's points, each an array of them.
+
+    Raises:
+        Unusable: if it has none.
+    """
+    response = only_entry(response)
+    points: dict[str, np.ndarray] = probe["points"]
+    count = len(next(iter(points.values())))
+    if not is_sympy(response):
+        if isinstance(response, str | bytes):
+            raise Unusable("text")
+        if callable(response):
+            raise Unusable("callable")
+        if not isinstance(response, numbers.Complex):
+            raise Unusable("not an expression")
+        return {"values": np.full(count, complex(response))}
+    import sympy as sp
+
+    if isinstance(response, sp.Eq):
+        raise Unusable("equation")
+    if not isinstance(response, sp.Expr):
+        raise Unusable("not an expression")
+    response = response.doit()
+    symbols = sorted(response.free_symbols, key=lambda symbol: symbol.name)
+    if any(symbol.name not in points for symbol in symbols):
+        raise Unusable("symbol unknown")
+    # By name: Symbol("r") and Symbol("r", real=True) are different symbols to sympy, and the
+    # student may have used either, or both.
+    try:
+        with np.errstate(all="ignore"):
+            values = values_at(response, points)
+        return {"values": np.broadcast_to(np.asarray(values, dtype=complex), (count,)).copy()}
+    except Exception:  # not in the table: sympy's own way, slower
+        pass
+    arrays = [np.asarray(points[symbol.name], dtype=float) for symbol in symbols]
+    stand_ins = [sp.Dummy() for _ in symbols]
+    bare = response.xreplace(dict(zip(symbols, stand_ins, strict=True)))
+    try:
+        with np.errstate(all="ignore"):
+            values = sp.lambdify(stand_ins, bare, modules="numpy")(*arrays)
+        values = np.broadcast_to(np.asarray(values, dtype=complex), (count,)).copy()
+    except Exception:
+        values = np.array(
+            [_evalf(bare, stand_ins, [array[i] for array in arrays]) for i in range(count)]
+        )
+    return {"values": values}
+
+
+def _evalf(expression: Any, symbols: list[Any], values: list[float]) -> complex:
+    """The slow way, for what NumPy has no function for."""
+    number = expression.evalf(subs=dict(zip(symbols, values, strict=True)))
+    try:
+        return complex(number)
+    except TypeError:
+        raise Unusable("not evaluable") from None

@@ -1,0 +1,59 @@
+"""A formula typed into a field, as a sympy expression in the declared symbols."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from autograder.errors import UsageError
+from autograder.kinds.expression.question import Expression
+from autograder.kinds.typed import parse, value_of
+
+_OF_SYMPY = (
+    *("acos", "asin", "atan", "atan2", "cos", "cot", "sin", "tan"),
+    *("cosh", "sinh", "tanh", "exp", "log", "sign", "sqrt"),
+)
+
+
+def formula_of(id: str, text: str) -> Any:
+    """The typed formula of a question of the course around, ``...`` where it is none."""
+    from autograder.course import load_course
+
+    question = load_course().question(id)
+    assert isinstance(question, Expression)
+    try:
+        return read_expression(question, text)
+    except UsageError:
+        return ...
+
+
+def read_expression(question: Expression, text: str) -> Any:
+    """What a typed answer means, a sympy expression.
+
+    Raises:
+        UsageError: if it is not understood; the sentence says at which point.
+    """
+    tree = parse(text)
+    import sympy as sp
+
+    symbols = {symbol: sp.Symbol(symbol, real=True) for symbol, _ in question.symbols}
+    constants = {"pi": sp.pi, "e": sp.E, "E": sp.E}
+    functions = {name: getattr(sp, name) for name in _OF_SYMPY} | {
+        "abs": sp.Abs,
+        "Abs": sp.Abs,
+        "ln": sp.log,
+        "arctan": sp.atan,
+        "arctan2": sp.atan2,
+    }
+    functions |= {"arcsin": sp.asin, "arccos": sp.acos}
+
+    def name(id: str) -> Any:
+        if id in symbols:
+            return symbols[id]
+        if id in constants:
+            return constants[id]
+        raise UsageError(f"{id} is not one of the symbols here: {', '.join(symbols)}.")
+
+    try:
+        return sp.sympify(value_of(tree, name, functions, number=sp.sympify))
+    except (ArithmeticError, ValueError, TypeError) as error:
+        raise UsageError(f"This is not a formula: {error}.") from None

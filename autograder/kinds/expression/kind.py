@@ -1,0 +1,137 @@
+"""Expression, as the engine sees it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from autograder.errors import UsageError
+from autograder.kinds.answer import Alternative
+from autograder.kinds.code import CodeKind
+from autograder.kinds.expression import answer as right
+from autograder.kinds.expression import question as asked
+from autograder.kinds.expression import snapshot as examples
+from autograder.kinds.expression.answer import ExpressionAlternative, ExpressionAnswer
+from autograder.kinds.expression.formula import evaluate_formula
+from autograder.kinds.expression.marking import hidden_points, mark_expression
+from autograder.kinds.expression.question import Expression
+from autograder.kinds.toml_table import Table
+from autograder.kinds.typed import assign_if_open
+from autograder.marking.mark import Mark
+from autograder.marking.probe import Probe
+
+
+class ExpressionKind(CodeKind[Expression, ExpressionAnswer]):
+    """A formula; the probe's ``kept`` are the points at which it is compared."""
+
+    name = "expression"
+    inside = "autograder.kinds.expression.inside.evaluate"
+    has_field = True
+
+    def read_question(self, table: Table, common: dict[str, Any]) -> Expression:
+        return asked.read_question(table, common)
+
+    def read_answer(
+        self, question: Expression, table: Table, alternatives: list[Table], common: dict[str, Any]
+    ) -> ExpressionAnswer:
+        return right.read_answer(question, table, alternatives, common)
+
+    def fits(self, question: Expression, response: Any) -> bool:
+        return isinstance(response, str)
+
+    def read_typed(
+        self, question: Expression, text: str, variables: Mapping[str, Any]
+    ) -> tuple[Any, Any]:
+        from autograder.kinds.expression.inside.typed import read_expression
+
+        return read_expression(question, text), text.strip()
+
+    def typed_value(self, question: Expression, response: Any) -> Any:
+        from autograder.kinds.expression.inside.typed import read_expression
+
+        try:
+            return read_expression(question, response)
+        except UsageError:
+            return ...
+
+    def typed_cell(self, question: Expression, response: Any) -> str | None:
+        if not isinstance(response, str):
+            return None
+        # Read where the notebook runs: only there is sympy, which executes what it reads.
+        module = "autograder.kinds.expression.inside.typed"
+        call = f"__import__({module!r}, fromlist=['_']).formula_of({question.id!r}, {response!r})"
+        return assign_if_open(question.variable, call)
+
+    def make_probe(
+        self,
+        question: Expression,
+        answer: ExpressionAnswer,
+        rng: np.random.Generator,
+        root: Path,
+    ) -> Probe:
+        points = hidden_points(answer, rng)
+        sent = {"kind": self.name, "inside": self.inside, "points": points}
+        return Probe(sent, kept=points)
+
+    def mark_given(
+        self,
+        question: Expression,
+        answer: ExpressionAnswer,
+        probe: Probe,
+        response: dict[str, Any],
+        understood: str,
+    ) -> Mark | None:
+        return mark_expression(question, answer, probe.kept, response.get("values"))
+
+    def why_unusable(self, question: Expression, reason: str) -> str:
+        why = super().why_unusable(question, reason)
+        if reason == "symbol unknown":
+            why += " (declared are " + ", ".join(name for name, _ in question.symbols) + ")"
+        return why
+
+    def lines(self, question: Expression, response: Any) -> list[str]:
+        symbols = [f"- `{name}`: {meaning}" for name, meaning in question.symbols]
+        return [*symbols, "", *super().lines(question, response)]
+
+    def widget(self, desk: Any, question: Expression, *checked: Any) -> Any:
+        from autograder.kinds.expression.widget import ExpressionWidget
+
+        return ExpressionWidget(desk, question, *checked)
+
+    def more_heading(self, question: Expression) -> list[str]:
+        rows = [f"| `{name}` | {meaning} |" for name, meaning in question.symbols]
+        return ["", "| symbol | meaning |", "|:--|:--|", *rows]
+
+    def response_like(self, question: Expression, alternative: Alternative, probe: Probe) -> Any:
+        assert isinstance(alternative, ExpressionAlternative)
+        count = len(next(iter(probe.kept.values())))
+        values = evaluate_formula(alternative.expression, probe.kept)
+        return {"state": "given", "values": np.broadcast_to(values, (count,)).astype(complex)}
+
+    def secrets(self, question: Expression, answer: ExpressionAnswer) -> Iterator[str]:
+        yield from super().secrets(question, answer)
+        for entry in answer.alternatives:
+            if not entry.is_mistake:
+                yield entry.expression
+
+    def take_snapshot(
+        self, question: Expression, answer: ExpressionAnswer, drawn: Probe, again: Probe
+    ) -> tuple[dict[str, Any], list[str]]:
+        return examples.take_snapshot(answer, drawn.kept), []
+
+    def snapshot_probe(
+        self, question: Expression, snapshot: dict[str, Any] | None
+    ) -> dict[str, Any]:
+        points = snapshot["points"] if snapshot else {}
+        return {**super().snapshot_probe(question, snapshot), "points": points}
+
+    def mark_snapshot(
+        self, question: Expression, snapshot: dict[str, Any], response: dict[str, Any]
+    ) -> Mark:
+        return examples.mark_snapshot(question, snapshot, response.get("values"))
+
+
+KIND = ExpressionKind()

@@ -1,0 +1,65 @@
+"""How a student bundle checks an expression: its right values at a few points."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from autograder.kinds.expression.answer import ExpressionAnswer
+from autograder.kinds.expression.formula import evaluate_formula
+from autograder.kinds.expression.marking import POINT_COUNT, Points, same_values
+from autograder.kinds.expression.question import Expression
+from autograder.kinds.snapshot import LATER, wrong
+from autograder.marking.mark import Mark
+
+_POINTS = 6
+
+
+def take_snapshot(answer: ExpressionAnswer, points: Points) -> dict[str, Any]:
+    """Some of the points, and the values of what is right there."""
+    # Some of both halves, so that what must not depend on a symbol is seen to depend on it.
+    chosen = [*range(_POINTS), *range(POINT_COUNT, POINT_COUNT + _POINTS)]
+    points = {name: values[chosen] for name, values in points.items()}
+    accepted = [
+        {
+            "values": np.broadcast_to(
+                evaluate_formula(entry.expression, points), (len(chosen),)
+            ).copy(),
+            "modulo": float(evaluate_formula(entry.modulo, {})) if entry.modulo else None,
+        }
+        for entry in answer.alternatives
+        if not entry.is_mistake
+    ]
+    return {
+        "checked": answer.snapshot,
+        "points": points,
+        "accepted": accepted if answer.snapshot else [],
+    }
+
+
+def mark_snapshot(question: Expression, snapshot: dict[str, Any], values: Any) -> Mark:
+    """Right, or wrong with one point at which it differs."""
+    points = snapshot["points"]
+    count = len(next(iter(points.values())))
+    if not (isinstance(values, np.ndarray) and values.shape == (count,)):
+        return wrong(question, f"{question.name} has no numeric values.")
+    for accepted in snapshot["accepted"]:
+        if same_values(accepted["values"], values, accepted["modulo"]):
+            feedback = f"Right at the {count} points of this check. {LATER}"
+            return Mark(question.id, "right", 1.0, question.points, feedback)
+    expected = snapshot["accepted"][0]["values"]
+    known = np.flatnonzero(np.isfinite(expected))
+    differing = [i for i in known if not np.isclose(values[i], expected[i], rtol=1e-6, atol=1e-9)]
+    at = differing[0] if differing else known[0]
+    where = ", ".join(f"{name} = {value[at]:.4g}" for name, value in points.items())
+    return wrong(
+        question,
+        f"Not equal yet. At {where} it is {_number(values[at])}; "
+        f"expected is {_number(expected[at])}"
+        + (" (or that plus a multiple of a period)." if snapshot["accepted"][0]["modulo"] else "."),
+    )
+
+
+def _number(value: complex) -> str:
+    return f"{value.real:.6g}" if abs(value.imag) < 1e-9 else f"{value:.6g}"

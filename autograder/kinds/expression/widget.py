@@ -1,0 +1,22 @@
+"""A field for a formula, which is typeset as it is understood."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from autograder.kinds.expression.question import Expression
+from autograder.student.widgets.markup import line
+from autograder.student.widgets.value import ValueWidget
+
+
+class ExpressionWidget(ValueWidget):
+    """An expression question."""
+
+    question: Expression
+
+    def what_is_fixed(self) -> dict[str, Any]:
+        symbols = self.question.symbols if self._with_prompt else ()
+        return {
+            **super().what_is_fixed(),
+            "symbols": [{"name": name, "meaning": line(meaning)} for name, meaning in symbols],
+        }

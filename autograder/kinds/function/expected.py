@@ -1,0 +1,65 @@
+"""What a function question expects: cases, and what reference and mistakes make of them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from autograder.errors import CourseError
+from autograder.kinds.function.answer import FunctionAnswer
+from autograder.kinds.function.marking import Expected, close
+from autograder.kinds.function.question import Function
+from autograder.marking.make_probe import load_object
+from autograder.marking.probe import Probe
+from autograder.sandbox.inside.evaluate import evaluate
+
+
+def make_probe(
+    question: Function,
+    answer: FunctionAnswer,
+    rng: np.random.Generator,
+    root: Path,
+    base: dict[str, Any],
+) -> Probe:
+    """Draw the cases, and run the reference and the known mistakes on them.
+
+    Raises:
+        CourseError: if one of them cannot be loaded or run, or the cases are malformed.
+    """
+    cases = load_object(answer.cases, root)(rng)
+    _check_cases(question, cases)
+    sent = {**base, "cases": [{"args": c["args"], "kwargs": c.get("kwargs", {})} for c in cases]}
+    expected = Expected(
+        cases=cases,
+        outcomes=_outcomes(answer.reference, sent, root),
+        compare=load_object(answer.compare, root) if answer.compare else close,
+        mistakes=[
+            (mistake, _outcomes(mistake.function, sent, root)) for mistake in answer.alternatives
+        ],
+    )
+    shows_first = answer.picture is not None and bool(cases[0].get("public"))
+    return Probe(sent, kept=expected, shows_first=shows_first)
+
+
+def _outcomes(dotted_name: str, sent: dict[str, Any], root: Path) -> list[dict[str, Any]]:
+    with np.errstate(all="ignore"):
+        reply = evaluate(load_object(dotted_name, root), sent)
+    if reply["state"] != "given":
+        raise CourseError(f"{dotted_name} gives no outcomes: {reply}.")
+    return list(reply["outcomes"])
+
+
+def _check_cases(question: Function, cases: Any) -> None:
+    well_formed = isinstance(cases, list) and all(
+        isinstance(case, dict)
+        and isinstance(case.get("name"), str)
+        and isinstance(case.get("args"), list)
+        and case.keys() <= {"name", "args", "kwargs", "public", "draws"}
+        for case in cases
+    )
+    if not cases or not well_formed:
+        raise CourseError(
+            f"The cases of {question.id} must be a list of dictionaries with name and args."
+        )

@@ -1,0 +1,79 @@
+"""What a function returns for the cases of a probe. Runs beside the student's code."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from autograder.kinds.function.inside.counted_draws import CountedDraws
+from autograder.sandbox.inside.exceptions import tell
+from autograder.sandbox.inside.plain_data import Unusable, public_name, to_plain
+
+
+def evaluate(response: Any, probe: dict[str, Any]) -> dict[str, Any]:
+    """One outcome a case: {"value": ..}, {"unusable": reason} or {"raised": class}.
+
+    With a value comes "changed": true if an argument was changed in place, and "drawn", how many
+    random numbers were taken, if an argument was a generator of them.
+
+    Raises:
+        Unusable: if the response is no function.
+    """
+    if not callable(response):
+        raise Unusable("not a function")
+    outcomes: list[dict[str, Any]] = []
+    told = None
+    for case in probe["cases"]:
+        arguments = [_argument(argument) for argument in case["args"]]
+        keywords = {name: _argument(value) for name, value in case.get("kwargs", {}).items()}
+        try:
+            outcome = {"value": to_plain(response(*arguments, **keywords))}
+            given = [*arguments, *keywords.values()]
+            if not _same(given, [*case["args"], *case.get("kwargs", {}).values()]):
+                outcome["changed"] = True
+            generators = [value for value in given if isinstance(value, CountedDraws)]
+            if generators:
+                outcome["drawn"] = sum(generator.drawn for generator in generators)
+            outcomes.append(outcome)
+        except NotImplementedError:
+            raise
+        except Unusable as unusable:
+            outcomes.append({"unusable": str(unusable)})
+        except Exception as error:
+            outcomes.append({"raised": public_name(error)})
+            told = told or tell(error)
+    # Only where nothing hidden has been sent yet: a message may quote what it was called with.
+    return {"outcomes": outcomes, **({"told": told} if told and probe.get("tell") else {})}
+
+
+def _argument(value: Any) -> Any:
+    """A fresh copy of an argument, so that changing it in place cannot reach the next case."""
+    if isinstance(value, np.ndarray):
+        return value.copy()
+    if isinstance(value, dict):
+        if value.keys() == {"rng"}:
+            return CountedDraws(value["rng"])
+        return {key: _argument(entry) for key, entry in value.items()}
+    if isinstance(value, list):
+        return [_argument(entry) for entry in value]
+    return value
+
+
+def _same(given: Any, sent: Any) -> bool:
+    """Whether an argument is still what was sent; a generator may have been used."""
+    if isinstance(sent, np.ndarray):
+        # Compared as bytes: NaN is equal to itself, and a zero that lost its sign is not.
+        return isinstance(given, np.ndarray) and (
+            (given.dtype, given.shape) == (sent.dtype, sent.shape)
+            and given.tobytes() == sent.tobytes()
+        )
+    if type(given) is CountedDraws:
+        return True
+    if isinstance(sent, list):
+        same_length = isinstance(given, list) and len(given) == len(sent)
+        return same_length and all(map(_same, given, sent))
+    if isinstance(sent, dict):
+        same_keys = isinstance(given, dict) and given.keys() == sent.keys()
+        return same_keys and all(_same(given[key], sent[key]) for key in sent)
+    return bool(given is sent or given == sent or sent != sent)

@@ -1,0 +1,118 @@
+"""Function, as the engine sees it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from autograder.kinds.answer import Alternative
+from autograder.kinds.code import CodeKind
+from autograder.kinds.function import answer as right
+from autograder.kinds.function import question as asked
+from autograder.kinds.function import snapshot as examples
+from autograder.kinds.function.answer import FunctionAnswer
+from autograder.kinds.function.expected import make_probe
+from autograder.kinds.function.marking import mark_function
+from autograder.kinds.function.question import Function
+from autograder.kinds.function.stub import function_stub, reference_source
+from autograder.kinds.function.take_snapshot import take_snapshot
+from autograder.kinds.toml_table import Table
+from autograder.marking.mark import Mark
+from autograder.marking.probe import Probe
+
+
+class FunctionKind(CodeKind[Function, FunctionAnswer]):
+    """A function to write; the probe's ``kept`` is what is `Expected` of it."""
+
+    name = "function"
+    inside = "autograder.kinds.function.inside.evaluate"
+    parts_heading = "Kinds of input"
+
+    def read_question(self, table: Table, common: dict[str, Any]) -> Function:
+        return asked.read_question(table, common)
+
+    def read_answer(
+        self, question: Function, table: Table, alternatives: list[Table], common: dict[str, Any]
+    ) -> FunctionAnswer:
+        return right.read_answer(table, alternatives, common)
+
+    def make_probe(
+        self, question: Function, answer: FunctionAnswer, rng: np.random.Generator, root: Path
+    ) -> Probe:
+        base = super().make_probe(question, answer, rng, root).sent
+        return make_probe(question, answer, rng, root, base)
+
+    def mark_given(
+        self,
+        question: Function,
+        answer: FunctionAnswer,
+        probe: Probe,
+        response: dict[str, Any],
+        understood: str,
+    ) -> Mark | None:
+        return mark_function(question, answer, probe.kept, response.get("outcomes"))
+
+    def example(self, probe: Probe) -> tuple[dict[str, Any], Any] | None:
+        case, outcome = probe.kept.cases[0], probe.kept.outcomes[0]
+        return (case, outcome["value"]) if case.get("public") and "value" in outcome else None
+
+    def picture(self, answer: FunctionAnswer) -> str | None:
+        return answer.picture
+
+    def widget(self, desk: Any, question: Function, *checked: Any) -> Any:
+        from autograder.kinds.function.widget import FunctionWidget
+
+        return FunctionWidget(desk, question, *checked)
+
+    def cells(self, question: Function, answer: FunctionAnswer, root: Path) -> tuple[str, str]:
+        source = reference_source(answer, root)
+        return function_stub(source, question), source
+
+    def more_heading(self, question: Function) -> list[str]:
+        # The widget of any other kind gives its hints one at a time.
+        lines: list[str] = []
+        for count, hint in enumerate(question.hints, 1):
+            lines += ["", f"<details><summary>Hint {count}</summary>", "", hint, "", "</details>"]
+        return lines
+
+    def problems(self, question: Function, answer: FunctionAnswer) -> Iterator[str]:
+        yield from self.too_few_mistakes(answer)
+        for entry in answer.alternatives:
+            if not entry.is_mistake:
+                yield f"the mistake {entry.name!r} gets full credit; lower it."
+
+    def response_like(self, question: Function, alternative: Alternative, probe: Probe) -> Any:
+        outcomes = {entry.name: found for entry, found in probe.kept.mistakes}
+        return {"state": "given", "outcomes": list(outcomes[alternative.name])}
+
+    def secrets(self, question: Function, answer: FunctionAnswer) -> Iterator[str]:
+        yield from super().secrets(question, answer)
+        yield from self.solutions(answer)
+
+    def code_names(self, answer: FunctionAnswer) -> tuple[str, ...]:
+        others = [answer.cases, *([answer.compare] if answer.compare else [])]
+        return (*self.solutions(answer), *others)
+
+    def solutions(self, answer: FunctionAnswer) -> tuple[str, ...]:
+        return (answer.reference, *(entry.function for entry in answer.alternatives))
+
+    def take_snapshot(
+        self, question: Function, answer: FunctionAnswer, drawn: Probe, again: Probe
+    ) -> tuple[dict[str, Any], list[str]]:
+        return take_snapshot(answer, drawn.kept, again.kept)
+
+    def snapshot_probe(self, question: Function, snapshot: dict[str, Any] | None) -> dict[str, Any]:
+        cases = snapshot["cases"] if snapshot else []
+        sent = [{"args": case["args"], "kwargs": case.get("kwargs", {})} for case in cases]
+        return {**super().snapshot_probe(question, snapshot), "cases": sent}
+
+    def mark_snapshot(
+        self, question: Function, snapshot: dict[str, Any], response: dict[str, Any]
+    ) -> Mark:
+        return examples.mark_snapshot(question, snapshot, response.get("outcomes", []))
+
+
+KIND = FunctionKind()

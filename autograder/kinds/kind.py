@@ -1,0 +1,229 @@
+"""The protocol: all that the engine asks of a kind of question.
+
+Most kinds are either a `autograder.kinds.choice.ChoiceKind`, whose responses are data that a
+student clicks, or a `autograder.kinds.code.CodeKind`, whose responses a notebook's variable or
+function holds; these two say what such kinds have in common.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import Any, ClassVar, Generic, TypeVar
+
+import numpy as np
+
+from autograder.kinds.answer import Alternative, Answer
+from autograder.kinds.exercise import Exercise
+from autograder.kinds.question import Question
+from autograder.kinds.toml_table import Table
+from autograder.marking.mark import Mark
+from autograder.marking.probe import Probe
+
+Q = TypeVar("Q", bound=Question)
+A = TypeVar("A", bound=Answer)
+
+
+class Kind(ABC, Generic[Q, A]):
+    """One kind of question, from what an author writes to what a class page says.
+
+    It holds no state: one object serves all questions of its kind. ``name`` is what authors write
+    as ``kind``, and the name of the folder.
+    """
+
+    name: ClassVar[str]
+    # Where what runs beside a student's code is: a module with ``evaluate(response, probe)``.
+    inside: ClassVar[str | None] = None
+    # Whether each part of a response is a small question of its own, with its own feedback, so that
+    # what is wrong is told by the part and not by the alternative that matched.
+    parts_stand_alone: ClassVar[bool] = False
+    parts_heading: ClassVar[str] = "Parts"  # above the parts on the page of feedback
+    has_field: ClassVar[bool] = False  # whether a response may be typed into a field
+
+    # -- asked, and right ------------------------------------------------------------------------
+
+    @abstractmethod
+    def read_question(self, table: Table, common: dict[str, Any]) -> Q:
+        """The question in an author's table; ``common`` holds what every question has but points.
+
+        Raises:
+            CourseError: if a field is missing or wrong.
+        """
+
+    @abstractmethod
+    def read_answer(
+        self, question: Q, table: Table, alternatives: list[Table], common: dict[str, Any]
+    ) -> A:
+        """The key in an author's table; ``common`` holds id, explanation, code and snapshot.
+
+        Raises:
+            CourseError: if it does not fit the question.
+        """
+
+    # -- understood ------------------------------------------------------------------------------
+
+    @abstractmethod
+    def fits(self, question: Q, response: Any) -> bool:
+        """Whether something stored, by anybody, is a response that this question can have."""
+
+    def is_untouched(self, question: Q, response: Any) -> bool:
+        """Whether a response that fits is still what everybody begins with."""
+        return False
+
+    def read_response(self, question: Q, response: Any) -> Any:
+        """A response given to ``ask(...).respond(...)``, in the form in which it is kept.
+
+        Raises:
+            UsageError: if it does not fit the question; the sentence says what would.
+        """
+        return response
+
+    def in_words(self, question: Q, response: Any) -> str:
+        """A kept response for people to read, in one line."""
+        return str(response)
+
+    def read_typed(self, question: Q, text: str, variables: Mapping[str, Any]) -> tuple[Any, Any]:
+        """What a text in the question's field means, and what of it is kept.
+
+        Args:
+            question: one of a kind that has a field.
+            text: as typed.
+            variables: those of the notebook, which a formula may use.
+
+        Raises:
+            UsageError: if it is not understood; the sentence says at which point.
+        """
+        raise NotImplementedError
+
+    def typed_value(self, question: Q, response: Any) -> Any:
+        """The value of a response that was typed and kept, ``...`` where there is none."""
+        return ...
+
+    def typed_cell(self, question: Q, response: Any) -> str | None:
+        """A cell that gives a kept response to the question's variable; None if nothing was typed.
+
+        It is to be run after all others, and leaves a value alone that the notebook itself assigns.
+        """
+        return None
+
+    # -- marked ----------------------------------------------------------------------------------
+
+    def make_probe(self, question: Q, answer: A, rng: np.random.Generator, root: Path) -> Probe:
+        """Draw what is to be found out about a response, and what to expect of it.
+
+        Args:
+            question: what is asked.
+            answer: its key.
+            rng: the same draws give the same probe.
+            root: the course's, whose code a key may name.
+
+        Raises:
+            CourseError: if the key names something that is not there.
+        """
+        return Probe({"kind": self.name, "inside": self.inside})
+
+    @abstractmethod
+    def mark(
+        self, question: Q, answer: A, probe: Probe, response: Any, understood: str = ""
+    ) -> Mark:
+        """Mark a response: what is kept (None for nothing), or what came back for the probe.
+
+        Nothing in it is trusted. ``understood`` is what it looked like before anything hidden was
+        sent to the process that holds it.
+        """
+
+    def example(self, probe: Probe) -> tuple[dict[str, Any], Any] | None:
+        """An input that students may see, with its right result, to draw beside theirs."""
+        return None
+
+    def picture(self, answer: A) -> str | None:
+        """The dotted name of the function that describes such a drawing, if the key names one."""
+        return None
+
+    # -- shown -----------------------------------------------------------------------------------
+
+    @abstractmethod
+    def lines(self, question: Q, response: Any) -> list[str]:
+        """The question as Markdown, below its prompt, for where no widget can be drawn."""
+
+    @abstractmethod
+    def widget(self, desk: Any, question: Q, *checked: Any) -> Any:
+        """A `QuestionWidget` that asks the question.
+
+        ``checked`` is nothing, or a value that the notebook gave and its mark.
+        """
+
+    def read_as(self, question: Q, mark: Mark) -> list[str] | None:
+        """How a marked response was read, as lines of Markdown; None: as one text."""
+        return None
+
+    def known_mistakes(self, question: Q, mark: Mark) -> list[str]:
+        """What is wrong in a marked response, by names that the key gives."""
+        return [mark.alternative] if mark.alternative is not None else []
+
+    def other_mistakes(self, question: Q, mark: Mark) -> list[str]:
+        """What is wrong in a marked response where no name is known, told by where it fails."""
+        if len(mark.parts) > 1 and not any(part.right for part in mark.parts):
+            return [f"wrong on all {self.parts_heading.lower()}"]
+        return [f"wrong on: {part.label}" for part in mark.parts if part.right is False]
+
+    # -- written and proven ----------------------------------------------------------------------
+
+    @abstractmethod
+    def exercise(self, question: Q, answer: A, root: Path) -> Exercise:
+        """The cells of the question in a chapter's notebook.
+
+        Raises:
+            CourseError: if the key does not say how it is solved.
+        """
+
+    def problems(self, question: Q, answer: A) -> Iterator[str]:
+        """What is wrong with a key that can be read, beyond what marking would show."""
+        yield from ()
+
+    def response_like(self, question: Q, alternative: Alternative, probe: Probe) -> Any:
+        """A response that is this alternative, as `mark` takes it; None if there is none."""
+        return None
+
+    # -- kept back, and handed out ---------------------------------------------------------------
+
+    def secrets(self, question: Q, answer: A) -> Iterator[str]:
+        """The texts of a key that no student may read."""
+        yield answer.explanation
+        yield answer.code
+        for alternative in answer.alternatives:
+            yield alternative.feedback
+
+    def secret_numbers(self, question: Q, answer: A) -> Iterator[str]:
+        """The right values of a key, as a student would see them printed."""
+        yield from ()
+
+    def code_names(self, answer: A) -> tuple[str, ...]:
+        """The dotted names of the course's own code that marking with this key needs."""
+        return ()
+
+    def solutions(self, answer: A) -> tuple[str, ...]:
+        """Those of them that are a solution, right or wrong; the right one stands first."""
+        return ()
+
+    def take_snapshot(
+        self, question: Q, answer: A, drawn: Probe, again: Probe
+    ) -> tuple[dict[str, Any], list[str]] | None:
+        """What a student bundle checks with, as plain data, and the mistakes it cannot tell.
+
+        ``drawn`` is a probe for this alone, so that its inputs grade nobody, and ``again`` another:
+        what is the same in both is the same in those that grade. None for a kind whose responses
+        are only recorded there.
+        """
+        return None
+
+    def snapshot_probe(self, question: Q, snapshot: dict[str, Any] | None) -> dict[str, Any]:
+        """The probe that goes with a snapshot, or with none."""
+        return {"kind": self.name, "inside": self.inside}
+
+    def mark_snapshot(
+        self, question: Q, snapshot: dict[str, Any], response: dict[str, Any]
+    ) -> Mark:
+        """Mark what came back for the probe of a snapshot."""
+        raise NotImplementedError

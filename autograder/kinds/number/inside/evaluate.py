@@ -1,0 +1,16 @@
+"""A value as a plain number. Runs beside the student's code."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from autograder.sandbox.inside.plain_data import only_entry, plain_number
+
+
+def evaluate(response: Any, probe: dict[str, Any]) -> dict[str, Any]:
+    """The number that a response holds.
+
+    Raises:
+        Unusable: if it is none.
+    """
+    return {"value": plain_number(only_entry(response))}

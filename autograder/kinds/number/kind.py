@@ -1,0 +1,92 @@
+"""Number, as the engine sees it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from typing import Any, TypeGuard
+
+from autograder.kinds.answer import Alternative
+from autograder.kinds.code import CodeKind
+from autograder.kinds.number import answer as right
+from autograder.kinds.number import question as asked
+from autograder.kinds.number.answer import NumberAlternative, NumberAnswer
+from autograder.kinds.number.marking import mark_number
+from autograder.kinds.number.question import Number
+from autograder.kinds.number.typed import read_number
+from autograder.kinds.toml_table import Table
+from autograder.kinds.typed import assign_if_open
+from autograder.marking.mark import Mark
+from autograder.marking.probe import Probe
+
+
+class NumberKind(CodeKind[Number, NumberAnswer]):
+    """A value."""
+
+    name = "number"
+    inside = "autograder.kinds.number.inside.evaluate"
+    has_field = True
+
+    def read_question(self, table: Table, common: dict[str, Any]) -> Number:
+        return asked.read_question(table, common)
+
+    def read_answer(
+        self, question: Number, table: Table, alternatives: list[Table], common: dict[str, Any]
+    ) -> NumberAnswer:
+        return right.read_answer(table, alternatives, common)
+
+    def fits(self, question: Number, response: Any) -> bool:
+        return _is_finite_number(response)
+
+    def read_typed(
+        self, question: Number, text: str, variables: Mapping[str, Any]
+    ) -> tuple[Any, Any]:
+        value = read_number(text, variables)
+        return value, value
+
+    def typed_value(self, question: Number, response: Any) -> Any:
+        return response
+
+    def typed_cell(self, question: Number, response: Any) -> str | None:
+        if isinstance(response, bool) or not isinstance(response, int | float):
+            return None
+        return assign_if_open(question.variable, repr(response))
+
+    def mark_given(
+        self,
+        question: Number,
+        answer: NumberAnswer,
+        probe: Probe,
+        response: dict[str, Any],
+        understood: str,
+    ) -> Mark | None:
+        value = response.get("value")
+        return (
+            mark_number(question, answer, value, understood) if _is_finite_number(value) else None
+        )
+
+    def widget(self, desk: Any, question: Number, *checked: Any) -> Any:
+        from autograder.kinds.number.widget import NumberWidget
+
+        return NumberWidget(desk, question, *checked)
+
+    def response_like(self, question: Number, alternative: Alternative, probe: Probe) -> Any:
+        assert isinstance(alternative, NumberAlternative)
+        return {"state": "given", "value": alternative.value}
+
+    def secret_numbers(self, question: Number, answer: NumberAnswer) -> Iterator[str]:
+        for entry in answer.alternatives:
+            if not entry.is_mistake:
+                yield question.printed(entry.value)
+
+
+def _is_finite_number(value: Any) -> TypeGuard[int | float]:
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        return False
+    try:
+        return math.isfinite(value)
+    except OverflowError:  # an integer of 400 digits
+        return False
+
+
+KIND = NumberKind()

@@ -1,0 +1,65 @@
+"""A number, or arithmetic that gives one, typed into a field."""
+
+from __future__ import annotations
+
+import ast
+import math
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from autograder.errors import UsageError
+from autograder.kinds.typed import parse, value_of
+
+MAX_COUNT = 100_000
+_OF_MATH = (
+    *("acos", "asin", "atan", "atan2", "cos", "sin", "tan", "radians"),
+    *("exp", "log", "log10", "log1p", "log2", "sqrt", "ceil", "floor"),
+)
+
+
+def read_number(text: str, variables: Mapping[str, Any]) -> int | float:
+    """What a typed answer means.
+
+    Args:
+        text: as typed.
+        variables: names whose numbers may be used in a formula.
+
+    Raises:
+        UsageError: if it is not understood; the sentence says at which point.
+    """
+    tree = parse(text)
+    if isinstance(tree, ast.Tuple):
+        raise UsageError("Write one number, with a point for the decimals: 0.5, not 0,5.")
+
+    functions: dict[str, Callable[..., Any]] = {name: getattr(math, name) for name in _OF_MATH}
+    functions |= {"abs": abs, "round": round}
+    functions |= {"comb": _count(math.comb), "perm": _count(math.perm)}
+
+    def name(id: str) -> Any:
+        if id in ("pi", "e"):
+            return getattr(math, id)
+        value = variables.get(id)
+        if isinstance(value, int | float) and not isinstance(value, bool):
+            return value
+        raise UsageError(f"{id} is no number here.")
+
+    try:
+        value = value_of(tree, name, functions)
+    except (ArithmeticError, ValueError, TypeError) as error:
+        raise UsageError(f"This has no value: {error}.") from None
+    if isinstance(value, bool | complex) or not isinstance(value, int | float):
+        raise UsageError("This is not a number.")
+    if (isinstance(value, int) and value.bit_length() > 1000) or not math.isfinite(value):
+        raise UsageError("This is not a finite number.")
+    return value
+
+
+def _count(function: Callable[[int, int], int]) -> Callable[[Any, Any], int]:
+    """``comb`` or ``perm`` for numbers that are not absurd."""
+
+    def counted(n: Any, k: Any) -> int:
+        if max(n, k) > MAX_COUNT:
+            raise UsageError("Those numbers are too large to count with.")
+        return function(n, k)
+
+    return counted

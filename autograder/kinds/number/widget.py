@@ -1,0 +1,22 @@
+"""A field for a number, with its unit."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from autograder.kinds.number.question import Number
+from autograder.student.widgets.markup import line
+from autograder.student.widgets.value import ValueWidget
+
+
+class NumberWidget(ValueWidget):
+    """A number question."""
+
+    question: Number
+
+    def what_is_fixed(self) -> dict[str, Any]:
+        return {**super().what_is_fixed(), "unit": self.question.unit}
+
+    def understood(self, value: Any) -> str:
+        shown = super().understood(value)
+        return f"{shown} {line(self.question.unit)}" if shown else ""

@@ -1,0 +1,83 @@
+"""Order, as the engine sees it."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Iterator
+from typing import Any
+
+from autograder.kinds.choice import ChoiceKind
+from autograder.kinds.order import answer as right
+from autograder.kinds.order import question as asked
+from autograder.kinds.order import response as given
+from autograder.kinds.order.answer import OrderAnswer
+from autograder.kinds.order.marking import mark_order, transitive_closure
+from autograder.kinds.order.question import Order
+from autograder.kinds.toml_table import Table
+from autograder.marking.mark import Mark
+
+
+class OrderKind(ChoiceKind[Order, OrderAnswer]):
+    """Cards to put in order."""
+
+    name = "order"
+    parts_heading = "Cards"
+
+    def read_question(self, table: Table, common: dict[str, Any]) -> Order:
+        return asked.read_question(table, common)
+
+    def read_answer(
+        self, question: Order, table: Table, alternatives: list[Table], common: dict[str, Any]
+    ) -> OrderAnswer:
+        return right.read_answer(question, table, alternatives, common)
+
+    def fits(self, question: Order, response: Any) -> bool:
+        return given.fits(question, response)
+
+    def is_untouched(self, question: Order, response: Any) -> bool:
+        return tuple(response) == question.start
+
+    def read_response(self, question: Order, response: Any) -> Any:
+        return given.read_response(question, response)
+
+    def in_words(self, question: Order, response: Any) -> str:
+        return given.in_words(question, response)
+
+    def mark_choice(self, question: Order, answer: OrderAnswer, response: Any) -> Mark:
+        return mark_order(question, answer, response)
+
+    def lines(self, question: Order, response: Any) -> list[str]:
+        return given.lines(question, response)
+
+    def widget(self, desk: Any, question: Order, *checked: Any) -> Any:
+        from autograder.kinds.order.widget import OrderWidget
+
+        return OrderWidget(desk, question)
+
+    def read_as(self, question: Order, mark: Mark) -> list[str]:
+        return mark.understood.split(" › ")
+
+    def other_mistakes(self, question: Order, mark: Mark) -> list[str]:
+        return []  # every wrong order has its own cards out of place
+
+    def solution(self, answer: OrderAnswer) -> str:
+        rows = textwrap.wrap(", ".join(f'"{card}"' for card in answer.order), 92)
+        return "\n".join(["[", *(f"    {row}" for row in rows), "]"])
+
+    def problems(self, question: Order, answer: OrderAnswer) -> Iterator[str]:
+        after = transitive_closure(answer.before)
+        if not any(
+            earlier in after.get(later, ())
+            for position, later in enumerate(question.start)
+            for earlier in question.start[:position]
+        ):
+            yield "the cards are dealt in a right order; shuffle them."
+        for entry in answer.alternatives:
+            if entry.first not in after.get(entry.second, ()):
+                yield (
+                    f"the mistake {entry.name!r} is none: "
+                    f"{entry.first!r} may stand before {entry.second!r}."
+                )
+
+
+KIND = OrderKind()

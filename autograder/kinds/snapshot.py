@@ -1,0 +1,13 @@
+"""What the snapshots of all kinds have in common (see `autograder.marking.snapshots`)."""
+
+from __future__ import annotations
+
+from autograder.kinds.question import Question
+from autograder.marking.mark import Mark
+
+LATER = "The marks that count are given after you hand in, on other inputs."
+
+
+def wrong(question: Question, feedback: str) -> Mark:
+    """The mark of a response that a snapshot shows to be wrong."""
+    return Mark(question.id, "wrong", 0.0, question.points, feedback)

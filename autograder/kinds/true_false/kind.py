@@ -1,0 +1,85 @@
+"""True/false, as the engine sees it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from autograder.kinds.choice import ChoiceKind
+from autograder.kinds.toml_table import Table
+from autograder.kinds.true_false import answer as right
+from autograder.kinds.true_false import question as asked
+from autograder.kinds.true_false import response as given
+from autograder.kinds.true_false.answer import TrueFalseAnswer
+from autograder.kinds.true_false.marking import mark_true_false
+from autograder.kinds.true_false.question import TrueFalse
+from autograder.marking.mark import Mark
+
+
+class TrueFalseKind(ChoiceKind[TrueFalse, TrueFalseAnswer]):
+    """Statements, each called true or false."""
+
+    name = "true_false"
+    parts_stand_alone = True
+
+    def read_question(self, table: Table, common: dict[str, Any]) -> TrueFalse:
+        return asked.read_question(table, common)
+
+    def read_answer(
+        self, question: TrueFalse, table: Table, alternatives: list[Table], common: dict[str, Any]
+    ) -> TrueFalseAnswer:
+        return right.read_answer(question, table, alternatives, common)
+
+    def fits(self, question: TrueFalse, response: Any) -> bool:
+        return given.fits(question, response)
+
+    def is_untouched(self, question: TrueFalse, response: Any) -> bool:
+        return all(said is None for said in response)
+
+    def read_response(self, question: TrueFalse, response: Any) -> Any:
+        return given.read_response(question, response)
+
+    def in_words(self, question: TrueFalse, response: Any) -> str:
+        return given.in_words(response)
+
+    def mark_choice(self, question: TrueFalse, answer: TrueFalseAnswer, response: Any) -> Mark:
+        return mark_true_false(question, answer, response)
+
+    def lines(self, question: TrueFalse, response: Any) -> list[str]:
+        return given.lines(question, response)
+
+    def widget(self, desk: Any, question: TrueFalse, *checked: Any) -> Any:
+        from autograder.kinds.true_false.widget import TrueFalseWidget
+
+        return TrueFalseWidget(desk, question)
+
+    def read_as(self, question: TrueFalse, mark: Mark) -> list[str]:
+        words = [word.strip() for word in mark.understood.split(",")]
+        words += ["–"] * (len(question.statements) - len(words))
+        return [
+            f"{statement} **{word}**"
+            for statement, word in zip(question.statements, words, strict=False)
+        ]
+
+    def known_mistakes(self, question: TrueFalse, mark: Mark) -> list[str]:
+        words = [word.strip() for word in mark.understood.split(",")]
+        return [
+            f"{part.label.lower()} called {word}"
+            for part, word in zip(mark.parts, words, strict=False)
+            if part.right is False
+        ]
+
+    def other_mistakes(self, question: TrueFalse, mark: Mark) -> list[str]:
+        return []
+
+    def solution(self, answer: TrueFalseAnswer) -> str:
+        return repr([statement.truth for statement in answer.statements])
+
+    def secrets(self, question: TrueFalse, answer: TrueFalseAnswer) -> Iterator[str]:
+        yield from super().secrets(question, answer)
+        for statement in answer.statements:
+            yield statement.explanation
+            yield statement.misconception
+
+
+KIND = TrueFalseKind()

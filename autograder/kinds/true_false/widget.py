@@ -1,0 +1,41 @@
+"""Statements in a table, each with two radio buttons."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from autograder.errors import UsageError
+from autograder.kinds.true_false.question import TrueFalse
+from autograder.student.widgets.base import source
+from autograder.student.widgets.choice import ChoiceWidget
+from autograder.student.widgets.markup import line
+
+HERE = Path(__file__).parent
+
+
+class TrueFalseWidget(ChoiceWidget):
+    """A true/false question."""
+
+    _esm = source("common.js", "question.js", HERE / "widget.js")
+    _css = source("common.css", HERE / "widget.css")
+    question: TrueFalse
+
+    def what_is_fixed(self) -> dict[str, Any]:
+        statements = [line(statement) for statement in self.question.statements]
+        return {**super().what_is_fixed(), "statements": statements}
+
+    def do_choose(self, message: dict[str, Any]) -> dict[str, Any]:
+        """Keep the choice for one statement; the others stay as they are kept, by whomever."""
+        at, said = message["statement"], message["said"]
+        count = len(self.question.statements)
+        if not (isinstance(at, int) and 0 <= at < count and isinstance(said, bool)):
+            raise UsageError(f"{self.question.id} has no such statement; run the cell again.")
+
+        def chosen(response: list[bool | None] | None) -> list[bool | None]:
+            now = list(response or [None] * count)
+            now[at] = said
+            return now
+
+        self.desk.keep(self.question, chosen)
+        return {}

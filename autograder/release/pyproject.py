@@ -1,0 +1,113 @@
+"""The pyproject.toml of a bundle that carries the engine itself, for students or for Gradescope.
+
+What the engine needs stands among the course's own requirements, and the limits come along.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+import tomllib
+from dataclasses import fields
+from importlib.metadata import PackageNotFoundError, requires
+from pathlib import Path
+from typing import Any
+
+from autograder.course import Course, Settings
+
+ENGINE = "course-autograder"
+LAB = "lab"
+_PACKAGE = Path(__file__).parents[1]
+_EXTRA = re.compile(r"""\s*;?\s*(?:and\s+)?extra\s*==\s*['"]([\w-]+)['"]\s*$""")
+
+
+def bundle_pyproject(course: Course, suffix: str) -> str:
+    """The text of the file; the suffix tells the bundle's name from the course's."""
+    path = course.root / "pyproject.toml"
+    table = tomllib.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
+    project = table.get("project", {})
+    engine = engine_requirements()
+    own = [
+        requirement
+        for requirement in project.get("dependencies", [])
+        if distribution(requirement) != ENGINE
+    ]
+    named = {distribution(requirement) for requirement in own}
+    needed = [*own, *(entry for entry in engine[""] if distribution(entry) not in named)]
+    lines = [
+        "[project]",
+        f"name = {json.dumps(str(project.get('name', 'course')) + suffix)}",
+        f"version = {json.dumps(str(project.get('version', '0')))}",
+        f"description = {json.dumps(str(project.get('description', '')))}",
+        f"requires-python = {json.dumps(str(project.get('requires-python', '>=3.11')))}",
+        *_list("dependencies", needed),
+        "",
+        "# To open the notebooks on a machine of your own; a hosted server has its own JupyterLab.",
+        "[project.optional-dependencies]",
+        *_list(LAB, engine[LAB]),
+        "",
+        "[build-system]",
+        'requires = ["hatchling>=1.26,<2"]',
+        'build-backend = "hatchling.build"',
+        "",
+        "[tool.hatch.build]",
+        'dev-mode-dirs = ["."]',
+        "",
+        "[tool.hatch.build.targets.wheel]",
+        'packages = ["autograder"]',
+        "",
+        "[tool.hatch.build.targets.wheel.shared-data]",
+        "# So that a reopened notebook shows the widgets as they were.",
+        '"autograder/student/jupyterlab_settings.json" = '
+        '"share/jupyter/lab/settings/overrides.d/autograder.json"',
+    ]
+    newest = table.get("tool", {}).get("uv", {}).get("exclude-newer")
+    if newest:
+        lines += ["", "[tool.uv]", f"exclude-newer = {json.dumps(str(newest))}"]
+    limits = {
+        field.name: getattr(course.settings, field.name)
+        for field in fields(Settings)
+        if getattr(course.settings, field.name) != field.default
+    }
+    kinds = kinds_setting(course)
+    if limits or kinds:
+        settings = [f"{name} = {value}" for name, value in limits.items()]
+        lines += ["", "[tool.autograder]", *settings, *kinds]
+    return "\n".join(lines) + "\n"
+
+
+def kinds_setting(course: Course) -> list[str]:
+    """The setting that names the kinds of question which a course brings along, if it does."""
+    return [f"kinds = {json.dumps(course.own_kinds)}"] if course.own_kinds else []
+
+
+def engine_requirements() -> dict[str, list[str]]:
+    """What the engine needs, by extra; that of no extra stands under an empty name.
+
+    It is asked of the installed distribution, or read beside the package where that runs from a
+    checkout without being installed.
+    """
+    source = _PACKAGE / "pyproject.toml"
+    found: dict[str, list[str]] = {"": [], LAB: []}
+    if source.is_file():
+        project: dict[str, Any] = tomllib.loads(source.read_text(encoding="utf-8"))["project"]
+        return found | {"": project["dependencies"], **project.get("optional-dependencies", {})}
+    try:
+        declared = requires(ENGINE) or []
+    except PackageNotFoundError:
+        return found
+    for requirement in declared:
+        extra = _EXTRA.search(requirement)
+        name = extra[1] if extra else ""
+        found.setdefault(name, []).append(_EXTRA.sub("", requirement))
+    return found
+
+
+def distribution(requirement: str) -> str:
+    """The name in a requirement, written one way: that of ``A_b.c[x]>=1`` is ``a-b-c``."""
+    name = re.split(r"[^\w.-]", requirement.strip(), maxsplit=1)[0]
+    return re.sub(r"[-_.]+", "-", name).casefold()
+
+
+def _list(name: str, entries: list[str]) -> list[str]:
+    return [f"{name} = [", *(f"    {json.dumps(entry)}," for entry in entries), "]"]

@@ -1,0 +1,159 @@
+"""A response as plain data: what the kinds' own parts have in common. Runs beside the student."""
+
+from __future__ import annotations
+
+import builtins
+import math
+import numbers
+import sys
+from typing import Any
+
+import numpy as np
+
+from autograder.exchange.wire import MAX_DEPTH
+
+_MOST_NODES = 2000
+
+
+class Unusable(Exception):
+    """A response that cannot be turned into plain data.
+
+    The argument is one of `autograder.exchange.reasons.REASONS`.
+    """
+
+
+def public_name(error: BaseException) -> str:
+    """The nearest class of an exception that Python or NumPy defines: a name without secrets."""
+    for kind in type(error).__mro__:
+        if getattr(builtins, kind.__name__, None) is kind or kind.__name__ == "LinAlgError":
+            return kind.__name__
+    return "Exception"
+
+
+def describe(response: Any, limit: int = 200) -> str:
+    """How a response was understood, as one short printable line."""
+    if callable(response) and hasattr(response, "__name__"):
+        text = f"function {response.__name__}"
+    else:
+        try:
+            text = str(response)
+        except Exception:
+            text = f"a {type(response).__name__}"
+    text = "".join(c if c.isprintable() else " " for c in text[: 2 * limit])
+    text = " ".join(text.split())
+    return text if len(text) <= limit else text[: limit - 1] + "…"
+
+
+def plain_number(response: Any) -> int | float:
+    """A number of any library as Python's own.
+
+    Raises:
+        Unusable: if it is none, or not finite.
+    """
+    if isinstance(response, str | bytes):
+        raise Unusable("text")
+    if callable(response) and not is_sympy(response):
+        raise Unusable("callable")
+    if isinstance(response, bool | np.bool_):
+        raise Unusable("not a number")
+    if isinstance(response, np.generic):
+        response = response.item()
+    if is_sympy(response):
+        if response.free_symbols:
+            raise Unusable("symbols left")
+        response = int(response) if response.is_Integer else complex(response.evalf())
+    if isinstance(response, numbers.Integral):
+        integer = int(response)
+        if integer.bit_length() > 1000:
+            raise Unusable("not finite")
+        return integer
+    if isinstance(response, numbers.Complex) or hasattr(response, "__float__"):
+        number = complex(response)
+        if abs(number.imag) > 1e-12 * max(1.0, abs(number.real)) or math.isnan(number.imag):
+            raise Unusable("not a number")
+        if not math.isfinite(number.real):
+            raise Unusable("not finite")
+        return number.real
+    raise Unusable("not a number")
+
+
+def only_entry(response: Any) -> Any:
+    """The one entry of ``[x]``, ``{x}`` or a one-element array, as ``sympy.solve`` returns it."""
+    if isinstance(response, np.ndarray):
+        if response.size != 1:
+            raise Unusable("several")
+        return response.reshape(-1)[0]
+    if isinstance(response, list | tuple | set | frozenset):
+        if len(response) != 1:
+            raise Unusable("several")
+        return next(iter(response))
+    return response
+
+
+def is_sympy(response: Any) -> bool:
+    """Whether it is something of sympy's. Sympy is not imported for it."""
+    sympy = sys.modules.get("sympy")
+    return sympy is not None and isinstance(response, sympy.Basic)
+
+
+def is_plain(expression: Any) -> bool:
+    """Whether every part is sympy's own, so that evaluating it runs none of the student's code."""
+    import sympy as sp
+
+    if not isinstance(expression, sp.Basic):
+        return False
+    for seen, node in enumerate(sp.preorder_traversal(expression)):
+        if seen > _MOST_NODES or not isinstance(node, sp.Basic) or not _is_of_sympy(type(node)):
+            return False
+    return True
+
+
+def _is_of_sympy(kind: type) -> bool:
+    return kind.__module__.partition(".")[0] == "sympy"
+
+
+def to_plain(value: Any, depth: int = 0) -> Any:
+    """A returned value as plain data: subclasses lose their class, named tuples become lists.
+
+    Raises:
+        Unusable: if it holds anything that is not plain.
+    """
+    if depth > MAX_DEPTH:  # a list that contains itself
+        raise Unusable("not plain")
+    if value is None or isinstance(value, bool | str):
+        return value if value is None else (str(value) if isinstance(value, str) else bool(value))
+    if isinstance(value, np.ndarray):
+        array = np.array(value, subok=False)
+        if array.dtype in (np.longdouble, np.clongdouble):
+            array = array.astype(complex if array.dtype.kind == "c" else float)
+        if array.dtype.kind in "biufc":
+            return array
+        return [to_plain(entry, depth + 1) for entry in array.tolist()]
+    if isinstance(value, np.generic):
+        return to_plain(value.item(), depth + 1)
+    if isinstance(value, numbers.Integral):
+        number = int(value)
+        if number.bit_length() > 1000:
+            raise Unusable("not finite")
+        return number
+    if isinstance(value, numbers.Real):
+        return float(value)
+    if isinstance(value, complex):
+        return complex(value)
+    if is_sympy(value) and getattr(value, "is_number", False):
+        return plain_number(value)
+    if isinstance(value, dict):
+        return {_key(key): to_plain(entry, depth + 1) for key, entry in value.items()}
+    if isinstance(value, list | tuple | set | frozenset):
+        entries = sorted(value) if isinstance(value, set | frozenset) else value
+        return [to_plain(entry, depth + 1) for entry in entries]
+    raise Unusable("not plain")
+
+
+def _key(key: Any) -> str:
+    """JSON's keys are strings; a number as a key is written as one."""
+    if isinstance(key, str):
+        return key
+    if isinstance(key, numbers.Integral):
+        return str(int(key))
+    return describe(key)

@@ -1,0 +1,1 @@
+"""The tests: a regular package, since old versions of IPython put another `tests` on the path."""

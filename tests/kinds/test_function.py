@@ -1,0 +1,263 @@
+"""Functions: right on every kind of input, or like a known mistake, or right on some kinds."""
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from hypothesis.extra import numpy as hnp
+
+from autograder.kinds.function.marking import close
+from autograder.marking import Mark
+from autograder.marking.marker import Marker
+from autograder.sandbox.inside.evaluate import evaluate
+
+
+@pytest.fixture
+def marker(tiny_course) -> Marker:
+    """Q1.5 asks for the mean of some weights: none, two equal, many, one heavy."""
+    return Marker(tiny_course.load(), seed=5)
+
+
+def mark(marker: Marker, function: Any) -> Mark:
+    """Marked as the grader does it: run over there, compared here."""
+    return marker.mark("Q1.5", evaluate(function, marker.probe("Q1.5").sent))
+
+
+def test_another_way_to_the_right_values_is_right(marker):
+    verdict = mark(marker, lambda weights: float(np.mean(weights)) if weights else 0)
+    assert (verdict.status, verdict.credit, verdict.points) == ("right", 1, 4)
+    assert verdict.alternative == "right"
+    assert [part.label for part in verdict.parts] == [
+        "no weights", "two equal weights", "many weights", "one heavy weight",
+    ]  # fmt: skip
+
+
+def test_a_stub_is_not_attempted_wherever_it_raises(marker):
+    def stub(weights):
+        raise NotImplementedError
+
+    def half_a_stub(weights):
+        if len(weights) > 2:
+            raise NotImplementedError
+        return 0.0
+
+    for function in (..., stub, half_a_stub):
+        assert mark(marker, function).status == "not attempted"
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_a_known_mistake_is_recognised_in_other_words(tiny_course, seed):
+    marker = Marker(tiny_course.load(), seed)
+
+    def loop_sum(weights):
+        total = 0
+        for weight in weights:
+            total = total + weight
+        return total
+
+    verdict = mark(marker, loop_sum)
+    assert (verdict.status, verdict.credit, verdict.alternative) == ("partial", 0.25, "the sum")
+    assert verdict.feedback == "You return the sum; divide it by the number of weights."
+    # Right for no weights at all, wrong for the others.
+    assert [part.right for part in verdict.parts] == [True, False, False, False]
+
+
+def test_what_is_right_on_some_kinds_earns_their_share(marker):
+    verdict = mark(
+        marker, lambda weights: sum(weights) / max(len(weights), 1) if len(weights) < 3 else -1
+    )
+    # "two equal weights" is public and counts for nothing: one of the three others is right.
+    assert (verdict.status, verdict.credit) == ("partial", 0.33)
+    assert verdict.feedback == (
+        "Right on 2 of 4 kinds of input. Not yet on: many weights; one heavy weight."
+    )
+    assert verdict.alternative is None
+
+
+def test_the_public_result_by_heart_earns_nothing(marker):
+    verdict = mark(marker, lambda weights: 3.0 if list(weights) == [3.0, 3.0] else -1.0)
+    assert [part.right for part in verdict.parts] == [False, True, False, False]
+    assert (verdict.status, verdict.credit) == ("wrong", 0)
+
+
+def test_what_is_wrong_everywhere_earns_nothing(marker):
+    verdict = mark(marker, lambda weights: -5.0)
+    assert (verdict.status, verdict.credit) == ("wrong", 0)
+
+
+def test_an_exception_on_some_kinds_costs_these_and_names_only_pythons_own_classes(marker):
+    class Secret(Exception):
+        pass
+
+    def fails(weights):
+        if not weights:
+            raise ZeroDivisionError("hidden")
+        if len(weights) > 4:
+            raise Secret
+        return sum(weights) / len(weights)
+
+    verdict = mark(marker, fails)
+    assert (verdict.status, verdict.credit) == ("partial", 0.33)
+    assert "no weights (it raises ZeroDivisionError)" in verdict.feedback
+    assert "many weights (it raises Exception)" in verdict.feedback
+    assert "hidden" not in verdict.feedback
+    assert "Secret" not in verdict.feedback
+
+
+def test_an_exception_on_every_input_is_an_error(marker):
+    def fails(weights):
+        return weights.mean()
+
+    verdict = mark(marker, fails)
+    assert (verdict.status, verdict.credit) == ("error", 0)
+    assert "AttributeError on every input" in verdict.feedback
+
+
+def test_a_class_that_only_bears_a_python_name_is_not_repeated(marker):
+    impostor = type("ValueError", (Exception,), {})
+
+    def fails(weights):
+        raise impostor
+
+    assert "ValueError" not in mark(marker, fails).feedback
+
+
+def test_something_that_is_no_function_is_wrong_and_told_so(marker):
+    for response in (3.0, "mean", [lambda weights: 1]):
+        verdict = mark(marker, response)
+        assert (verdict.status, verdict.alternative) == ("wrong", "not usable")
+        assert "it is not a function" in verdict.feedback
+
+
+def test_a_wrong_number_of_parameters_is_an_error(marker):
+    verdict = mark(marker, lambda: 3.0)
+    assert verdict.status == "error"
+    assert "TypeError" in verdict.feedback
+
+
+def test_a_returned_value_that_is_not_plain_is_wrong_and_told_so(marker):
+    verdict = mark(marker, lambda weights: object())
+    assert (verdict.status, verdict.credit) == ("wrong", 0)
+    assert "returned something that is not a number" in verdict.feedback
+
+
+def test_arguments_are_fresh_in_every_case(marker):
+    def spoils(weights):
+        result = sum(weights) / len(weights) if weights else 0.0
+        weights.clear()
+        return result
+
+    sent = marker.probe("Q1.5").sent
+    before = [list(case["args"][0]) for case in sent["cases"]]
+    verdict = mark(marker, spoils)
+    assert verdict.parts[0].right  # no weights: nothing to change
+    assert all("changes its input" in part.feedback for part in verdict.parts[1:])
+    assert [case["args"][0] for case in sent["cases"]] == before
+
+
+def test_no_feedback_contains_a_hidden_input(marker):
+    hidden = [
+        str(value) for case in marker.probe("Q1.5").sent["cases"] for value in case["args"][0]
+    ]
+    for function in (lambda weights: -5.0, lambda weights: weights, lambda weights: str(weights)):
+        verdict = mark(marker, function)
+        text = verdict.feedback + "".join(part.feedback + part.label for part in verdict.parts)
+        assert not any(value in text for value in hidden if len(value) > 4)
+
+
+def test_the_same_seed_draws_the_same_inputs_and_another_seed_others(tiny_course):
+    course = tiny_course.load()
+    draws = [Marker(course, seed).probe("Q1.5").sent["cases"] for seed in (3, 3, 4)]
+    assert draws[0] == draws[1]
+    assert draws[0] != draws[2]
+
+
+# The default comparison.
+
+plain = st.recursive(
+    st.none()
+    | st.booleans()
+    | st.integers()
+    | st.floats()
+    | st.complex_numbers(allow_nan=False)
+    | st.text(max_size=4)
+    | hnp.arrays(
+        st.sampled_from([np.float64, np.int64, np.bool_, np.complex128]),
+        hnp.array_shapes(min_dims=0, max_dims=3, min_side=0, max_side=3),
+    ),
+    lambda inner: (
+        st.lists(inner, max_size=4) | st.dictionaries(st.text(max_size=3), inner, max_size=3)
+    ),
+    max_leaves=8,
+)
+
+
+@given(plain)
+def test_everything_plain_is_close_to_itself(value):
+    assert close({}, value, value)
+
+
+@given(plain, plain)
+def test_comparing_any_two_plain_values_never_calls_different_kinds_close(one, other):
+    kinds = {type(one), type(other)}
+    agreed = close({}, one, other)
+    if kinds in ({str, list}, {dict, list}, {str, float}, {type(None), float}, {dict, np.ndarray}):
+        assert not agreed
+
+
+@given(st.floats(-1e6, 1e6), st.floats(-1, 1))
+def test_numbers_agree_to_six_digits(value, off):
+    if abs(value) > 1e-3 and abs(abs(off) - 0.1) > 0.05:
+        assert close({}, value, value * (1 + off * 1e-5)) == (abs(off) < 0.1)
+
+
+@pytest.mark.parametrize(
+    ("expected", "actual", "agrees"),
+    [
+        (1, 1.0, True),
+        (1.0, 1, True),
+        (0.0, 1e-15, True),
+        (0.0, 1e-3, False),
+        (math.inf, math.inf, True),
+        (math.inf, -math.inf, False),
+        (math.inf, 1e308, False),
+        (math.nan, math.nan, True),
+        (math.nan, 0.0, False),
+        (True, True, True),
+        (True, 1, False),
+        (None, None, True),
+        (None, False, False),
+        ("a", "a", True),
+        ("a", "b", False),
+        ("1", 1, False),
+        (2**100, 2**100, True),
+        (2**100, 2**100 + 1, False),
+        (10**30, 1e30, True),
+        ([1, 2], [1, 2], True),
+        ([1, 2], np.array([1, 2]), True),
+        (np.array([1.0, 2.0]), [1.0, 2.0], True),
+        ([1, 2], [1, 2, 3], False),
+        ([1, 2], [2, 1], False),
+        ([[1, 2]], [1, 2], False),
+        (np.zeros((2, 3)), np.zeros((3, 2)), False),
+        (np.zeros(3), 0.0, False),
+        (np.array([1e6, 1e-12]), np.array([1e6, 0.0]), True),
+        (["a", 1.0], ["a", 1.0 + 1e-9], True),
+        (["a", 1.0], ["a", 1.1], False),
+        ([[1], [2, 3]], [[1], [2, 3]], True),
+        ([[1], [2, 3]], [[1], [2, 4]], False),
+        ([], [], True),
+        ([], None, False),
+        ({"r": 2.0, "alpha": [0.5]}, {"alpha": [0.5], "r": 2.0}, True),
+        ({"r": 2.0}, {"r": 2.0, "alpha": 0.5}, False),
+        ({"r": 2.0}, [2.0], False),
+        (1 + 2j, 1 + 2j, True),
+        (1 + 2j, 1 - 2j, False),
+        (1.0, 1.0 + 0j, True),
+    ],
+)
+def test_the_default_comparison_by_example(expected, actual, agrees):
+    assert close({}, expected, actual) == agrees

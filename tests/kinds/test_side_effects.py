@@ -1,0 +1,125 @@
+"""What a call does besides returning a value: change its input, draw random numbers, fail."""
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from autograder.exchange.replies import clean_evaluation
+from autograder.kinds.function.inside.counted_draws import CountedDraws
+from autograder.kinds.function.kind import FunctionKind
+from autograder.kinds.function.marking import agrees, close
+from autograder.sandbox.inside.evaluate import evaluate
+
+
+def outcome(function: Any, *args: Any) -> dict[str, Any]:
+    """What comes back of one call, as it passes through the check of replies."""
+    probe = {"kind": "function", "inside": FunctionKind.inside, "cases": [{"args": list(args)}]}
+    return clean_evaluation(evaluate(function, probe))["outcomes"][0]
+
+
+def right(case: dict[str, Any], expected: dict[str, Any], actual: dict[str, Any]) -> bool:
+    return agrees(close, case, expected, actual)
+
+
+def centre_in_place(points):
+    points -= points.mean(axis=0)
+    return 1.0
+
+
+def sort_in_place(groups):
+    for group in groups:
+        group.sort()
+    return 1.0
+
+
+def overwrite_an_entry(groups):
+    groups[0] = 7
+    return 1.0
+
+
+@pytest.mark.parametrize(
+    ("function", "argument"),
+    [
+        (centre_in_place, np.array([[1.0, 2.0], [3.0, 4.0]])),
+        (sort_in_place, [np.array([2, 1]), np.array([3])]),
+        (sort_in_place, [[2, 1], [3]]),
+        (overwrite_an_entry, [1, 2]),
+    ],
+)
+def test_a_right_value_is_wrong_if_the_input_was_changed(function, argument):
+    changed = outcome(function, argument)
+    left_alone = outcome(lambda argument: 1.0, argument)
+    assert changed == {"value": 1.0, "changed": True}
+    assert left_alone == {"value": 1.0}
+    assert not right({}, left_alone, changed)
+    assert right({}, changed, changed)  # where the reference does so as well
+
+
+def test_an_input_that_holds_nan_is_not_taken_for_changed():
+    assert "changed" not in outcome(lambda x, y: 1.0, np.array([np.nan]), float("nan"))
+
+
+def test_counted_draws_are_those_of_the_usual_generator():
+    counted, usual = CountedDraws(3), np.random.default_rng(3)
+    for draw in (
+        lambda rng: rng.choice(9, size=2, replace=False),
+        lambda rng: rng.integers(5),
+        lambda rng: rng.random((2, 3)),
+        lambda rng: rng.permutation(4),
+    ):
+        np.testing.assert_array_equal(draw(counted), draw(usual))
+    assert counted.drawn == 2 + 1 + 6 + 4
+    counted.shuffle([1, 2, 3])
+    assert counted.drawn == 16
+
+
+def draws(count):
+    def function(rng):
+        for _ in range(count):
+            rng.choice(9, size=2, replace=False)
+        return 1.0
+
+    return outcome(function, {"rng": 5})
+
+
+def test_a_function_that_does_not_draw_as_asked_is_wrong_whatever_it_returns():
+    case = {"draws": (10, 40)}
+    reference = draws(10)
+    assert reference == {"value": 1.0, "drawn": 20}
+    assert right(case, reference, draws(5))
+    assert not right(case, reference, draws(4))
+    assert not right(case, reference, draws(21))
+    assert not right(case, reference, outcome(lambda rng: 1.0, {"rng": 5}))
+    assert not right(case, reference, {"value": 1.0})
+    assert right({}, reference, draws(4))  # nothing is asked here
+
+
+@pytest.mark.parametrize("drawn", [None, "20", 20.0, True, [20], np.array([20])])
+def test_a_forged_count_is_no_count(drawn):
+    (cleaned,) = clean_evaluation({"state": "given", "outcomes": [{"value": 1.0, "drawn": drawn}]})[
+        "outcomes"
+    ]
+    assert "drawn" not in cleaned
+    assert not right({"draws": (10, 40)}, {"value": 1.0, "drawn": 20}, cleaned)
+
+
+class NoLine(ValueError):
+    """An exception of a student's own."""
+
+
+def raising(error):
+    def function(x):
+        raise error
+
+    return outcome(function, 1.0)
+
+
+def test_an_exception_of_a_more_special_class_is_the_one_that_was_asked_for():
+    expected = {"raised": "ValueError"}
+    for error in (ValueError(), NoLine(), np.linalg.LinAlgError(), UnicodeError()):
+        assert right({}, expected, raising(error)), type(error)
+    for error in (TypeError(), Exception(), IndexError(), ZeroDivisionError()):
+        assert not right({}, expected, raising(error)), type(error)
+    assert not right({}, {"raised": "UnicodeError"}, raising(ValueError()))
+    assert not right({}, expected, {"value": 1.0})
