@@ -20,11 +20,18 @@ from typing import IO
 from autograder.intake.notebook_reader import Unreadable
 
 MAX_RATIO = 250  # deflate reaches about 1000; notebooks stay below 50
-_BOMB_SIZE = 2**20  # below this a high ratio harms nobody
+_BOMB_SIZE = 24 * 2**20  # below this a high ratio harms nobody
 _CENTRAL_ENTRY = b"PK\x01\x02"
 _SPOOLED = 16 * 2**20
 MAX_NESTED = 2 * 2**30  # a zip inside the zip of a class
 _MAX_PARTS = 40
+_LARGEST_DIRECTORY = 32 * 2**20  # some 300,000 entries
+
+
+def _directory_size(stream: IO[bytes]) -> int:
+    """The bytes of the list of entries, before an object is made of each."""
+    end = getattr(zipfile, "_EndRecData", lambda stream: None)(stream)
+    return int(end[5]) if end else 0
 
 
 class Archive:
@@ -41,6 +48,8 @@ class Archive:
         self.entries: dict[str, zipfile.ZipInfo] = {}
         self.folders: dict[str, dict[str, bool]] = {"": {}}
         try:
+            if _directory_size(stream) > _LARGEST_DIRECTORY:
+                raise Unreadable("The zip holds far too many files; hand in only the notebooks.")
             self._zip = zipfile.ZipFile(stream)
             listed = self._zip.infolist()
         except Unreadable:

@@ -15,7 +15,7 @@ from autograder.course import Settings
 from autograder.errors import UsageError
 from autograder.intake.archive import JOINERS, shown
 from autograder.intake.layouts import LAYOUTS, plain
-from autograder.intake.layouts.layout import Context, Entry, Found, PassedOver, visible
+from autograder.intake.layouts.layout import Context, Entry, Found, PassedOver, is_reports, visible
 from autograder.intake.layouts.plain import Verdict
 from autograder.intake.origin import Origin
 from autograder.intake.place import (
@@ -168,9 +168,7 @@ def _look_below(
         inner = is_archive or not isinstance(wrapped, DiskPlace)
         found = _look_or_none(wrapped, context, layout, inner, depth + 1)
         return _beside(folder, found, wrapped)
-    folders = [
-        place for place in visible(folder) if place.is_folder and not plain.is_reports(place)
-    ]
+    folders = [place for place in visible(folder) if place.is_folder and not is_reports(place)]
     work = [place for place in visible(folder) if place.is_folder or is_zip(place)]
     if len(folders) < 2 or len(work) > len(folders):
         return None

@@ -32,11 +32,14 @@ class Handout(Collection[str]):
         return len(self.questions)
 
     def is_untouched(self, chapter: str, notebook: Notebook) -> bool:
-        """Whether a notebook holds what was handed out and nothing else."""
+        """Whether a notebook holds nothing but what was handed out.
+
+        Imports do not count: a later edition of the handout may have others.
+        """
         handed_out = self.cells.get(chapter)
         if handed_out is None or notebook.receipts:
             return False
-        return _words(notebook.cells) == _words(handed_out)
+        return set(_words(notebook.cells)) <= set(_words(handed_out))
 
     def chapter_asked_in(self, notebook: Notebook) -> str | None:
         """The chapter most of whose questions a notebook names, None if it names none."""
@@ -69,4 +72,11 @@ def handout_of(course: Course) -> Handout:
 
 
 def _words(cells: Collection[str]) -> list[str]:
-    return [" ".join(cell.split()) for cell in cells if cell.strip()]
+    return [" ".join(cell.split()) for cell in cells if cell.strip() and not _only_imports(cell)]
+
+
+def _only_imports(cell: str) -> bool:
+    lines = [line for line in cell.splitlines() if line.strip()]
+    return all(line.startswith(("import ", "from ", "#", " ", ")")) for line in lines) and any(
+        line.startswith(("import ", "from ")) for line in lines
+    )

@@ -1,8 +1,8 @@
-"""Reads git repositories that strangers made; a program of its own, with limits on memory and time.
+"""Reads git repositories that strangers made; a program of its own, with limits on memory.
 
-Nothing of a repository is run: no hook, no filter, no program that its configuration names, since no
-git is started. Objects are read by Dulwich. Links and borrowed objects inside ``.git`` are refused,
-for they could lead to another student's repository.
+Nothing of a repository is run, no hook, no filter, no program that its configuration names, since
+no git is started. Objects are read by Dulwich. Links and borrowed objects inside ``.git`` are
+refused, for they could lead to another student's repository.
 
 Each line of standard input is a request in JSON, each line of standard output its answer.
 """

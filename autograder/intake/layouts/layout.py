@@ -79,10 +79,17 @@ class Layout(Protocol):
         ...
 
 
+def is_reports(place: Place) -> bool:
+    """Whether a folder is what the autograder itself wrote."""
+    return place.is_folder and any(child.name == "gradebook.db" for child in place.children())
+
+
 def side_entry(place: Place, found: Found, expected: bool = False) -> None:
     """Pass over something that does not fit the layout, with the reason."""
     if is_system(place.name):
         found.pass_over(place, "made by an operating system or an editor", False)
+    elif is_reports(place):
+        found.pass_over(place, "the autograder's own gradebook and reports", False)
     elif place.name.startswith("."):
         found.pass_over(place, "a hidden file")
     elif expected:

@@ -21,7 +21,7 @@ from pathlib import PurePath
 
 from autograder.errors import UsageError
 from autograder.intake.archive import shown
-from autograder.intake.layouts.layout import Context, Entry, Found, visible
+from autograder.intake.layouts.layout import Context, Entry, Found, is_reports, visible
 from autograder.intake.notebook_reader import Unreadable, read_notebook
 from autograder.intake.origin import Claim, Origin
 from autograder.intake.place import (
@@ -57,6 +57,13 @@ _MEANT = (
     *(".pdf", ".odt", ".pages", ".ipynb~", ".part", ".crdownload", ".lnk", ".html", ".htm"),
 )
 _SIDE = ("class.toml", "students.toml", "times.csv", "grading.toml")
+
+
+_REPORTS = (
+    *("gradebook.db", "gradebook.db-wal", "gradebook.db-shm", "grades.csv", "class.html"),
+    *("class_questions.csv", "class_mistakes.csv", "class_students.csv", "feedback"),
+    *("similar.csv", "canvas.csv", "moodle.csv", "csv.csv", "gradescope", "overrides.csv"),
+)
 
 
 class Verdict(Enum):
@@ -112,7 +119,11 @@ def unclear(folder: Place, context: Context) -> UsageError:
 def read_class(folder: Place, context: Context) -> Found:
     """Every zip, folder and notebook in a folder as the submission of one student."""
     found = Found("plain", RULE)
+    own = _REPORTS if is_reports(folder) else ()
     for place in folder.children():
+        if place.name in own:
+            found.pass_over(place, "the autograder's own gradebook and reports", False)
+            continue
         reason, needs_person = _why_not(place, context)
         if reason:
             found.pass_over(place, reason, needs_person)
@@ -139,11 +150,6 @@ def stem_of(place: Place) -> str:
         number = re.search(r"\s*\(\d{1,9}\)", name[cut:])
         return name[:cut] + (number[0] if number else "")
     return PurePath(name).stem or name
-
-
-def is_reports(place: Place) -> bool:
-    """Whether a folder is what the autograder itself wrote."""
-    return place.is_folder and any(child.name == "gradebook.db" for child in place.children())
 
 
 def _why_not(place: Place, context: Context) -> tuple[str, bool]:
@@ -212,9 +218,9 @@ def _is_generic(stem: str, context: Context) -> bool:
     plain = stem.casefold()
     for _ in range(3):
         plain = _COPIED.sub("", plain).strip(" _-.")
-    words = {plain} | set(filter(None, re.split(r"[\W_]+", plain)))
+    words = [word for word in re.split(r"[\W_]+", plain) if word and not word.isdigit()]
     names = _GENERIC | {chapter.casefold() for chapter in context.handout}
-    return plain in names or plain in context.handout.stems or not (words - names - {plain})
+    return plain in names or plain in context.handout.stems or set(words) <= names
 
 
 def _is_person(place: Place, context: Context) -> bool:
