@@ -18,6 +18,7 @@ from nbclient import NotebookClient
 from nbclient.exceptions import CellExecutionError
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
 
+from autograder.authoring.executed import Executed
 from autograder.authoring.masters import Master, MasterCell, read_masters
 from autograder.course import DEMO, Course
 from autograder.errors import CourseError
@@ -65,17 +66,25 @@ def build_solved_notebooks(
 ) -> list[Built]:
     """The same notebooks solved and executed, with their outputs but without pictures.
 
-    ``before`` is called with each notebook's name before it runs.
+    What has been run before and would print the same is not run again. ``before`` is called with
+    each notebook's name before it runs.
 
     Raises:
         CourseError: if a cell raises; the sentence names the notebook and the exception.
     """
     built = []
+    executed = Executed(course)
     for master in read_masters(course):
-        before(master.stem)
+        path = SOLVED / f"{master.stem}.ipynb"
         notebook = _assemble(course, master, solved=True)
-        _execute(notebook, course, master.stem)
-        built.append(_written(course, SOLVED / f"{master.stem}.ipynb", notebook))
+        known = executed.take_outputs(notebook, master.chapter, master.stem, course.root / path)
+        if not known:
+            before(master.stem)
+            _execute(notebook, course, master.stem)
+        written = _written(course, path, notebook)
+        if not known:
+            executed.remember(notebook, master.chapter, master.stem, written.text)
+        built.append(written)
     return built
 
 

@@ -24,6 +24,7 @@ from autograder.cli import (
     export,
     feedback,
     grade,
+    intake,
     new,
     note,
     override,
@@ -39,7 +40,7 @@ from autograder.errors import AutograderError, UsageError
 __all__ = ["BROKEN", "DONE", "WRONG_USAGE", "main"]
 
 _COMMANDS = (
-    *(grade, regrade, show, override, note),
+    *(intake, grade, regrade, show, override, note),
     *(adjust, export, feedback, similar, release),
     *(new, build, check, watch, doctor),
 )

@@ -30,7 +30,7 @@ def practice_files(course: Course, chapters: Collection[str]) -> Iterator[Path]:
             raise UsageError(f"There is no chapter {name!r}; this course has {', '.join(known)}.")
         yield QUESTIONS / f"{name}.toml"
         yield ANSWERS / f"{name}.toml"
-    modules = _needed_modules(course, chapters)
+    modules = needed_modules(course, chapters)
     for id, answer in course.key.items():
         question = course.question(id)
         chapter = question.chapter
@@ -43,16 +43,16 @@ def practice_files(course: Course, chapters: Collection[str]) -> Iterator[Path]:
                     f"practise {chapter} too (--practice {chapter}), or leave it out."
                 )
     for package in course.own_kinds:
-        folder = _module_file(course, package).parent
+        folder = module_file(course, package).parent
         yield from (path.relative_to(course.root) for path in sorted(folder.rglob("*.py")))
         for parent in folder.relative_to(course.root).parents[:-1]:
             if (course.root / parent / "__init__.py").exists():
                 yield parent / "__init__.py"
     for module in sorted(modules):
-        yield _module_file(course, module).relative_to(course.root)
+        yield module_file(course, module).relative_to(course.root)
 
 
-def _needed_modules(course: Course, chapters: Collection[str]) -> set[str]:
+def needed_modules(course: Course, chapters: Collection[str]) -> set[str]:
     """The course's own modules that the keys name, and all that those import."""
     waiting = {
         name.partition(":")[0]
@@ -63,7 +63,7 @@ def _needed_modules(course: Course, chapters: Collection[str]) -> set[str]:
     needed: set[str] = set()
     while waiting:
         module = waiting.pop()
-        path = _module_file(course, module)
+        path = module_file(course, module)
         if module in needed or not path.exists():
             continue
         needed.add(module)
@@ -82,7 +82,8 @@ def _imports(path: Path, module: str) -> Iterator[str]:
             yield from (f"{node.module}.{alias.name}" for alias in node.names)
 
 
-def _module_file(course: Course, module: str) -> Path:
+def module_file(course: Course, module: str) -> Path:
+    """The file of one of the course's own modules, whether or not it exists."""
     base = course.root.joinpath(*module.split("."))
     package = base / "__init__.py"
     return package if package.exists() else base.with_suffix(".py")

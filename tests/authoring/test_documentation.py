@@ -56,7 +56,7 @@ def test_the_question_of_contributing_passes_as_printed(tmp_path: Path):
         {
             "notebooks/questions/ransac.toml": 'title = "RANSAC"\n' + question,
             "solutions/answers/ransac.toml": answer,
-            "notebooks/source/3_ransac.py": f"# %% [markdown]\n# # R\n\n# %%\nimport math\n\n{place}",
+            "notebooks/source/3_ransac.py": f"# %%\nimport math\n\n{place}",
         },
     )
     for folder in ("explorers", "figures"):
