@@ -164,3 +164,15 @@ def test_simulated_samples_are_clean_as_often_as_combinatorics_says(size):
     expected = math.comb(12, size) / math.comb(40, size)
     deviation = math.sqrt(expected * (1 - expected) / clean.size)
     assert abs(clean.mean() - expected) < 4 * deviation
+
+
+def test_on_a_screen_a_picture_carries_its_text(monkeypatch):
+    """JupyterLab gives an `alt` only to pictures in HTML."""
+    bundles = []
+    monkeypatch.setattr(style, "display", lambda bundle, **_: bundles.append(bundle))
+    monkeypatch.setenv("AUTOGRADER_WIDGETS", "1")
+    style.show(style.figure(2, 1), 'Points "on" a line, r < 2')
+    (bundle,) = bundles
+    assert 'alt="Points &quot;on&quot; a line, r &lt; 2"' in bundle["text/html"]
+    assert 'src="data:image/png;base64,' in bundle["text/html"]
+    assert bundle["text/plain"] == 'Points "on" a line, r < 2'
