@@ -13,7 +13,7 @@ from autograder.cli.common import find_class_list, print_json
 from autograder.cli.status import DONE
 from autograder.course import Course
 from autograder.gradebook import Gradebook, Record, Run, view_class
-from autograder.grading.changes import Change, changes
+from autograder.gradebook.changes import Change, changes
 from autograder.grading.dask_address import parse_address
 from autograder.grading.graded import Graded
 from autograder.grading.spread import Spread

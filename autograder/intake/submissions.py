@@ -16,11 +16,11 @@ from typing import Any
 
 from autograder.course import Settings
 from autograder.errors import UsageError
+from autograder.exchange.responses import keep_response
 from autograder.intake.handed_in import read_files
 from autograder.intake.notebook_reader import (
     Notebook,
     Unreadable,
-    keep_response,
     parse_json,
     read_notebook,
 )

@@ -7,9 +7,9 @@ from dataclasses import dataclass, replace
 from autograder.course import Course
 from autograder.course.questions import Question
 from autograder.gradebook.record import Override, Record
+from autograder.kinds.mark import status_for
 from autograder.kinds.registry import kind_of
 from autograder.marking import Mark, Part
-from autograder.marking.mark import status_for
 from autograder.reports.machine import most_for
 from autograder.reports.markdown import inline, markdown, text
 from autograder.reports.page import page

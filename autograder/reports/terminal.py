@@ -12,8 +12,8 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 from rich.table import Table
 
 from autograder.course import Course
+from autograder.gradebook.changes import Change
 from autograder.gradebook.record import Override, Record, names_of
-from autograder.grading.changes import Change
 from autograder.marking import Mark
 from autograder.reports.machine import most_for
 

@@ -6,8 +6,8 @@ from typing import Any
 
 from autograder.course import Course
 from autograder.course.questions import Question
+from autograder.kinds.mark import Mark
 from autograder.kinds.registry import kind_of
-from autograder.marking.mark import Mark
 from autograder.student.receipts import RECEIPT, receipt
 from autograder.student.responses import answered, points
 from autograder.student.submission import Packed

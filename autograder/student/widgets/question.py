@@ -6,7 +6,7 @@ from typing import Any
 
 from autograder.course.questions import Question
 from autograder.errors import AutograderError
-from autograder.marking.mark import Mark
+from autograder.kinds.mark import Mark
 from autograder.student.desk import Desk, hints_open
 from autograder.student.receipts import RECEIPT, receipt
 from autograder.student.responses import Entry, attempts

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 from autograder.course.questions import Question
+from autograder.kinds.mark import Mark
 from autograder.kinds.registry import kind_of
-from autograder.marking.mark import Mark
 from autograder.sandbox.inside.evaluate import describe
 from autograder.student.desk import Desk
 from autograder.student.frontend import running_shell
