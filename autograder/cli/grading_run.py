@@ -6,12 +6,14 @@ import argparse
 import secrets
 import time
 from functools import partial
+from importlib.util import find_spec
 
 from rich.console import Console
 
 from autograder.cli.common import find_class_list, print_json
 from autograder.cli.status import DONE
 from autograder.course import Course
+from autograder.errors import CourseError
 from autograder.gradebook import Gradebook, Record, Run, view_class
 from autograder.gradebook.changes import Change, changes
 from autograder.grading.dask_address import parse_address
@@ -43,6 +45,7 @@ def grade_and_report(
     # What is broken is said before anything runs.
     find_class_list(parsed, book)
     Pictures(course)
+    _require_packages(course)
     address = None if parsed.cluster is None else parse_address(parsed.cluster)
     questions = frozenset(course.question(id).id for id in parsed.question or ()) or None
     before = {record.student: record for record in book.records()}
@@ -124,6 +127,16 @@ def grade_and_report(
         console.print(f"{len(changed)} marks of {len(students)} students are others than before.")
     console.print(f"{len(submissions)} graded; {written}.", soft_wrap=True, markup=False)
     return DONE
+
+
+def _require_packages(course: Course) -> None:
+    """Refuse to mark where what the course allows is not there: nobody's import may fail for it."""
+    missing = [name for name in course.settings.packages if not find_spec(name.partition(".")[0])]
+    if missing:
+        raise CourseError(
+            f"The course allows {', '.join(missing)} (packages in [tool.autograder]), and this "
+            f"Python has no such module; install what provides it, then grade."
+        )
 
 
 def _choose_run(

@@ -42,6 +42,8 @@ class Settings:
     output_mb: int = 8  # what one response may come to
     submission_mb: int = 100
     submission_files: int = 2000
+    # What notebooks may import beyond what the course itself does; loaded before anything runs.
+    packages: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -298,12 +300,26 @@ def _own_kinds(root: Path, table: dict[str, Any]) -> tuple[str, ...]:
     return tuple(packages)
 
 
+def _packages(value: Any, where: str) -> tuple[str, ...]:
+    entries = value if isinstance(value, list) else [None]
+    for entry in entries:
+        if not isinstance(entry, str) or not all(p.isidentifier() for p in entry.split(".")):
+            raise CourseError(
+                f"{where} has packages = {value!r}; give names as they are imported, such as "
+                '["pandas"].'
+            )
+    return tuple(entries)
+
+
 def _read_settings(root: Path, table: dict[str, Any]) -> Settings:
     where = f"[tool.autograder] in {root / 'pyproject.toml'}"
     kinds = {field.name: type(field.default) for field in fields(Settings)}
     for name, value in table.items():
         if name not in kinds:
             raise CourseError(f"{where} has {name}, which is none of {', '.join(sorted(kinds))}.")
+        if name == "packages":
+            table = {**table, name: _packages(value, where)}
+            continue
         whole = kinds[name] is int
         # To Python a truth value is an int; not a number is not between anything.
         is_number = isinstance(value, int if whole else int | float) and not isinstance(value, bool)

@@ -23,11 +23,14 @@ def clean_report(reply: Any, cells: int) -> dict[str, Any]:
     reply = _dictionary(reply)
     errors = reply.get("errors")
     errors = errors if isinstance(errors, list) and len(errors) == cells else [None] * cells
+    told = reply.get("told")
+    told = told if isinstance(told, list) and len(told) == cells else [None] * cells
     responses: dict[str, Any] = {}
     for id, response in _dictionary(reply.get("responses")).items():
         responses |= keep_response(id, response)
     return {
         "errors": [error if error is None else _class_name(error) for error in errors],
+        "told": [clean_told(entry) for entry in told],
         "responses": responses,
         "understood": {
             name: clean_text(text) for name, text in _dictionary(reply.get("understood")).items()
@@ -48,12 +51,29 @@ def clean_evaluation(reply: Any) -> dict[str, Any]:
         case "unusable" if _is_reason(reply.get("reason")):
             return {"state": "unusable", "reason": reply["reason"]}
         case "given" if isinstance(reply.get("outcomes"), list):
-            return {"state": "given", "outcomes": [_outcome(entry) for entry in reply["outcomes"]]}
+            outcomes = [_outcome(entry) for entry in reply["outcomes"]]
+            told = clean_told(reply.get("told"))
+            return {"state": "given", "outcomes": outcomes, **({"told": told} if told else {})}
         case "given" if isinstance(reply.get("values"), np.ndarray):
             return {"state": "given", "values": reply["values"]}
         case "given" if _is_number(reply.get("value")):
             return {"state": "given", "value": reply["value"]}
     return NOT_PLAIN
+
+
+def clean_told(entry: Any) -> dict[str, Any] | None:
+    """What was told of an exception: kind, message, maybe module, line and source; or None."""
+    entry = _dictionary(entry)
+    if not entry:
+        return None
+    line = entry.get("line")
+    return {
+        "kind": _class_name(entry.get("kind")),
+        "message": clean_text(entry.get("message"), 300),
+        "module": clean_text(entry.get("module"), 100),
+        "line": line if type(line) is int and 0 < line < 100_000 else 0,
+        "source": clean_text(entry.get("source")),
+    }
 
 
 def clean_text(text: Any, limit: int = _MAX_TEXT) -> str:

@@ -5,14 +5,14 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from autograder.course import Chapter, Course
 from autograder.course.questions import Question
 from autograder.exchange.replies import NOT_PLAIN
+from autograder.grading.told import defining_cell, import_notes, in_words, shown_code
 from autograder.intake.submissions import Contents
 from autograder.kinds.drawn import Drawn
 from autograder.kinds.registry import kind_of
@@ -45,7 +45,10 @@ def grade_chapter(
         for question in to_ask:
             opening = openings[question.id]
             marks[question.id] = _mark_named(question, session, marker, work, ran, opening)
-    return [mark for mark in marks.values() if mark is not None]
+    contents.notes.extend(import_notes(chapter.title, ran.told))
+    found = [mark for mark in marks.values() if mark is not None]
+    said = _ask_what_was_raised(found, work, marker, sandbox, deadline)
+    return [_with_code(mark, marker.course.questions[mark.question], work, said) for mark in found]
 
 
 @dataclass(frozen=True)
@@ -97,6 +100,7 @@ class _Ran:
     responses: dict[str, Any] = field(default_factory=dict)
     understood: dict[str, Any] = field(default_factory=dict)
     errors: Any = None
+    told: list[dict[str, Any] | None] = field(default_factory=list)
     failure: Stopped | None = None
 
 
@@ -108,7 +112,9 @@ def _run_notebook(work: _Work, asked: Sequence[Question], session: Session) -> _
     except Stopped as stop:
         return _Ran(failure=stop)
     responses, understood = report.get("responses"), report.get("understood")
-    return _Ran(_dictionary(responses), _dictionary(understood), report.get("errors"))
+    told = report.get("told")
+    told = told if isinstance(told, list) else []
+    return _Ran(_dictionary(responses), _dictionary(understood), report.get("errors"), told)
 
 
 def _mark_without_asking(question: Question, work: _Work, ran: _Ran, marker: Marker) -> Mark | None:
@@ -151,13 +157,15 @@ def _mark_named(
         return stopped(question, stop.status, _response_stopped(stop))
     reason = response.get("reason")
     missing = isinstance(reason, str) and reason == "missing"
-    if missing and _defining_cell_failed(question.name, work.cells, ran.errors):
-        return stopped(
+    defining = defining_cell(question.name, work.cells) if missing else None
+    if defining is not None and isinstance(ran.errors, list) and any(ran.errors[defining:][:1]):
+        mark = stopped(
             question,
             "error",
             f"The cell that should define {question.name} raised an exception. "
             "Restart the kernel, run all cells, and mend the first one that fails.",
         )
+        return replace(mark, told=in_words(next(iter(ran.told[defining:]), None)))
     return marker.mark(question.id, response, _line(ran.understood.get(question.name, "")))
 
 
@@ -183,17 +191,52 @@ def _ask(name: str, session: Session, drawn: Drawn, opening: Opening) -> dict[st
     return {"state": "given", "outcomes": first + others}
 
 
-def _defining_cell_failed(name: str, cells: list[str], errors: Any) -> bool:
-    # No \s: it takes line ends too, and a cell of empty lines would then be searched from each of
-    # them to the end, for minutes and with every other thread waiting.
-    name = re.escape(name)
-    defines = re.compile(rf"^[ \t]*(def[ \t]+{name}\b|{name}[ \t]*(:[^=\n]*)?=[^=])", re.MULTILINE)
-    if not isinstance(errors, list):
-        return False
-    return any(
-        error is not None and defines.search(cell)
-        for cell, error in zip(cells, errors, strict=False)
-    )
+def _ask_what_was_raised(
+    marks: Sequence[Mark], work: _Work, marker: Marker, sandbox: Sandbox, deadline: float
+) -> dict[str, str]:
+    """What functions raise for the input that students may see, in a process of its own.
+
+    The process that was marked knows the hidden inputs by now; what it says could carry them. Only
+    what raised on everything, or on a kind of input that may be public, is asked again.
+    """
+    asked = [
+        (question, opening)
+        for mark in marks
+        if not mark.told
+        and any("raises" in p.feedback for p in mark.parts)
+        and (question := marker.course.questions[mark.question]).name is not None
+        and (opening := _public_call(question, marker)) is not None
+    ]
+    if not asked:
+        return {}
+    said: dict[str, str] = {}
+    with sandbox.session(deadline) as session:
+        try:
+            session.run(work.cells, [])
+            for question, opening in asked:
+                assert question.name is not None
+                reply = session.evaluate(question.name, opening)
+                said[question.id] = in_words(reply.get("told"))
+        except Stopped:
+            pass  # what could not be found out is not told; the mark stands
+    return said
+
+
+def _public_call(question: Question, marker: Marker) -> dict[str, Any] | None:
+    """The probe cut to its first case, if that is one that students may see."""
+    probe = marker.probe(question.id)
+    if kind_of(question).example(probe) is None:
+        return None
+    return {**probe.sent, "cases": probe.sent["cases"][:1], "tell": True}
+
+
+def _with_code(mark: Mark, question: Question, work: _Work, said: dict[str, str]) -> Mark:
+    """The mark with the student's own words: the code of the response, and what it raised."""
+    if question.name is None or mark.status == "not attempted":
+        return mark
+    cell = defining_cell(question.name, work.cells)
+    code = "" if cell is None else shown_code(work.cells[cell])
+    return replace(mark, code=code, told=mark.told or said.get(question.id, ""))
 
 
 def _notebook_stopped(stop: Stopped) -> str:

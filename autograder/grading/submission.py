@@ -32,6 +32,7 @@ def grade_submission(
     fingerprint, notes = contents.fingerprint, tuple(contents.notes)
     try:
         marks = tuple(grade_contents(contents, marker, sandbox, questions))
+        notes = tuple(contents.notes)  # running it may have added some
     except AutograderError:
         raise
     except Exception as error:

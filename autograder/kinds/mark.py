@@ -41,6 +41,8 @@ class Mark:
     ``feedback`` says what to do next and never contains a hidden input; ``explanation`` gives the
     answer away and is shown only where the key is at hand or the instructor allows it. ``shown``
     is what a function returned for a public input, as JSON data, for the picture in the feedback.
+    ``told`` is the exception that the student's code raised where nothing hidden had been sent yet,
+    with its line, and ``code`` the cell that holds the response; both are the student's own words.
     """
 
     question: str
@@ -53,6 +55,8 @@ class Mark:
     explanation: str = ""
     understood: str = ""
     shown: Any = None
+    told: str = ""
+    code: str = ""
 
     def __post_init__(self) -> None:
         if self.status not in STATUSES:

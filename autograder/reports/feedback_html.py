@@ -141,12 +141,22 @@ def _question(shared: Feedback, record: Record, question: Question) -> str:
         lines += _understood(question, mark)
         if mark.status != "recorded":
             lines.append(_feedback(mark))
+        if mark.told:
+            lines.append(f'<p class="label">It raised</p><p class="said">{text(mark.told)}</p>')
         lines += _parts(question, mark)
+        if mark.code:
+            lines.append(_code(mark.code))
         lines.append(shared.pictures.html(question.id, mark, record.seed))
         if shared.explanations and mark.full_explanation:
             why = markdown(mark.full_explanation)
             lines.append(f'<div class="explained"><h4>Why</h4>{why}</div>')
     return "\n".join(line for line in [*lines, "</article>"] if line)
+
+
+def _code(code: str) -> str:
+    """The cell that holds the response, folded, with the lines' numbers that exceptions name."""
+    rows = "".join(f"<li>{text(line) or ' '}</li>" for line in code.splitlines())
+    return f'<details><summary>Your code</summary><ol class="code">{rows}</ol></details>'
 
 
 def _override(override: Override, mark: Mark | None) -> str:

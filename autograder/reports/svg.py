@@ -10,8 +10,9 @@ from itertools import count
 from autograder.reports.markdown import text
 
 # Okabe and Ito's colours, which colour-blind readers tell apart.
-BLUE, ORANGE, RED, GREEN, PURPLE = "#0072B2", "#E69F00", "#D55E00", "#009E73", "#CC79A7"
-GREY, DARK, LINE = "#C4C9CF", "#57606A", "#D0D7DE"
+# The page's style gives some of them another value on a dark page.
+BLUE, ORANGE, RED, GREEN, PURPLE = "var(--blue)", "#E69F00", "#D55E00", "#009E73", "#CC79A7"
+GREY, DARK, LINE = "var(--grey)", "var(--dark)", "var(--line)"
 _ids = count(1)
 
 
@@ -49,7 +50,7 @@ class Chart:
         top, bottom = sorted((self.y(y0), self.y(y1)))
         self._parts.append(
             f'<rect x="{left}" y="{top}" width="{max(right - left, 0):.2f}" '
-            f'height="{max(bottom - top, 0):.2f}" fill="{colour}" stroke="#fff"/>'
+            f'height="{max(bottom - top, 0):.2f}" fill="{colour}" stroke="var(--paper)"/>'
         )
 
     def line(
@@ -67,7 +68,7 @@ class Chart:
         """A point."""
         self._parts.append(
             f'<circle cx="{self.x(x)}" cy="{self.y(y)}" r="{radius}" fill="{colour}" '
-            'stroke="#fff"/>'
+            'stroke="var(--paper)"/>'
         )
 
     def pixel_line(self, x0: float, y0: float, x1: float, y1: float) -> None:

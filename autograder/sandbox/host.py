@@ -249,6 +249,7 @@ class Host:
             "MALLOC_ARENA_MAX": "2",
             "AUTOGRADER_COURSE": str(course),
             "AUTOGRADER_RESPONSES": str(work / "responses"),
+            "AUTOGRADER_PACKAGES": " ".join(self._settings.packages),
         }
 
     def _start(

@@ -23,6 +23,7 @@ from typing import Any
 import numpy as np
 
 from autograder.sandbox.inside.evaluate import describe, evaluate
+from autograder.sandbox.inside.exceptions import after_import, tell
 from autograder.sandbox.inside.plain_data import is_plain
 
 MAX_SAVED = 2**20
@@ -71,19 +72,23 @@ class Notebook:
         """
         end = time.monotonic() + seconds
         errors: list[str | None] = []
+        told: list[dict[str, Any] | None] = []
         for index, cell in enumerate(cells):
             reason = (skip or {}).get(str(index))
+            said = None
             left = end - time.monotonic()
             if reason is None and left <= 0:
                 reason = "timeout"
             if reason is None:
                 begin(index)
-                reason = self._run_cell(cell, min(cell_seconds, left))
+                reason, said = self._run_cell(cell, min(cell_seconds, left))
             errors.append(reason)
+            told.append(said)
         self._chance = getstate()
         namespace = self._shell.user_ns
         return {
             "errors": errors,
+            "told": told,
             "responses": _recorded_responses(),
             "understood": {
                 name: _described(namespace[name]) for name in names if name in namespace
@@ -119,20 +124,42 @@ class Notebook:
         for name in set(self._shell.user_ns) - self._names_at_start:
             del self._shell.user_ns[name]
 
-    def _run_cell(self, cell: str, seconds: float) -> str | None:
-        """Run one cell; the class of its error, or None."""
+    def _run_cell(self, cell: str, seconds: float) -> tuple[str | None, dict[str, Any] | None]:
+        """Run one cell; the class of its error and what to tell of it, or None.
+
+        A module that is missing here may be there where the cell was written: what comes after its
+        import is run all the same.
+        """
         watch = _Interrupted(seconds)
+        first: BaseException | None = None
         try:
             with watch:
-                result = self._shell.run_cell(cell, store_history=False)
-            error = result.error_before_exec or result.error_in_exec
+                error = self._error_of(cell)
+                while error is not None:
+                    first = first or error
+                    rest = after_import(self._shell.transform_cell(cell), error)
+                    if rest is None:
+                        break
+                    cell = rest
+                    error = self._error_of(rest)
+                if error is not None and not isinstance(error, ModuleNotFoundError):
+                    first = error
         except BaseException as escaped:
-            error = escaped
+            first = escaped
         _close_figures()
-        if error is None:
-            return None
+        if first is None:
+            return None, None
         # Python may turn the interruption into another error, as in the middle of a fork.
-        return "timeout" if watch.fired else type(error).__name__
+        if watch.fired:
+            return "timeout", None
+        with suppress(Exception):
+            return type(first).__name__, tell(first)
+        return type(first).__name__, None
+
+    def _error_of(self, cell: str) -> BaseException | None:
+        result = self._shell.run_cell(cell, store_history=False)
+        error: BaseException | None = result.error_before_exec or result.error_in_exec
+        return error
 
 
 class _Interrupted:

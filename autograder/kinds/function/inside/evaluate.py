@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from autograder.kinds.function.inside.counted_draws import CountedDraws
+from autograder.sandbox.inside.exceptions import tell
 from autograder.sandbox.inside.plain_data import Unusable, public_name, to_plain
 
 
@@ -22,6 +23,7 @@ def evaluate(response: Any, probe: dict[str, Any]) -> dict[str, Any]:
     if not callable(response):
         raise Unusable("not a function")
     outcomes: list[dict[str, Any]] = []
+    told = None
     for case in probe["cases"]:
         arguments = [_argument(argument) for argument in case["args"]]
         keywords = {name: _argument(value) for name, value in case.get("kwargs", {}).items()}
@@ -40,7 +42,9 @@ def evaluate(response: Any, probe: dict[str, Any]) -> dict[str, Any]:
             outcomes.append({"unusable": str(unusable)})
         except Exception as error:
             outcomes.append({"raised": public_name(error)})
-    return {"outcomes": outcomes}
+            told = told or tell(error)
+    # Only where nothing hidden has been sent yet: a message may quote what it was called with.
+    return {"outcomes": outcomes, **({"told": told} if told and probe.get("tell") else {})}
 
 
 def _argument(value: Any) -> Any:
