@@ -224,10 +224,10 @@ def _ask_what_was_raised(
 
 def _public_call(question: Question, marker: Marker) -> dict[str, Any] | None:
     """The probe cut to its first case, if that is one that students may see."""
-    probe = marker.probe(question.id)
-    if kind_of(question).example(probe) is None:
+    drawn = marker.drawn(question.id)
+    if kind_of(question).example(drawn) is None:
         return None
-    return {**probe.sent, "cases": probe.sent["cases"][:1], "tell": True}
+    return {**drawn.probe, "cases": drawn.probe["cases"][:1], "tell": True}
 
 
 def _with_code(mark: Mark, question: Question, work: _Work, said: dict[str, str]) -> Mark:
