@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from autograder.course.loading import load_object
 from autograder.kinds.answer import Alternative
 from autograder.kinds.code import CodeKind
 from autograder.kinds.drawn import Drawn
@@ -17,11 +18,14 @@ from autograder.kinds.function import snapshot as examples
 from autograder.kinds.function.answer import FunctionAnswer
 from autograder.kinds.function.expected import draw
 from autograder.kinds.function.marking import mark_function
+from autograder.kinds.function.promises import promises
 from autograder.kinds.function.question import Function
 from autograder.kinds.function.stub import function_stub, reference_source
 from autograder.kinds.function.take_snapshot import take_snapshot
+from autograder.kinds.function.trial import FunctionTrial
 from autograder.kinds.mark import Mark
 from autograder.kinds.toml_table import Table
+from autograder.marking.mutants.mutant import Trial
 
 
 class FunctionKind(CodeKind[Function, FunctionAnswer]):
@@ -29,6 +33,7 @@ class FunctionKind(CodeKind[Function, FunctionAnswer]):
 
     name = "function"
     parts_heading = "Kinds of input"
+    fewest_variants = 4
 
     def read_question(self, table: Table, common: dict[str, Any]) -> Function:
         return asked.read_question(table, common)
@@ -96,6 +101,24 @@ class FunctionKind(CodeKind[Function, FunctionAnswer]):
 
     def solutions(self, answer: FunctionAnswer) -> tuple[str, ...]:
         return (answer.reference, *(entry.function for entry in answer.alternatives))
+
+    def trial(
+        self,
+        question: Function,
+        answer: FunctionAnswer,
+        proven: Sequence[str],
+        root: Path,
+        draw: Callable[[int], np.random.Generator],
+    ) -> Trial:
+        return FunctionTrial(answer, proven, root, draw)
+
+    def variant(self, question: Function, function: Callable[..., Any]) -> Any:
+        return function
+
+    def promises(
+        self, answer: FunctionAnswer, root: Path, drawn: Drawn
+    ) -> list[tuple[str, list[str]]]:
+        return promises(load_object(answer.reference, root), drawn.expected)
 
     def take_snapshot(
         self, question: Function, answer: FunctionAnswer, drawn: Drawn, again: Drawn
