@@ -14,22 +14,11 @@ from rich.table import Table
 from autograder.course import Course
 from autograder.gradebook.changes import Change
 from autograder.gradebook.record import Override, Record, names_of
+from autograder.kinds.status import Status
 from autograder.marking import Mark
 from autograder.reports.machine import most_for
 
-SIGNS = {
-    "right": "✓",
-    "partial": "◐",
-    "wrong": "✗",
-    "not attempted": "·",
-    "recorded": "●",
-    "error": "E",
-    "timeout": "T",
-    "killed": "K",
-    "unreadable": "?",
-}
-_COLOURS = {"right": "green", "partial": "yellow", "not attempted": "dim", "recorded": "default"}
-LEGEND = "✓ right  ◐ partial  ✗ wrong  · not attempted  E error  T timeout  K killed  ? unreadable"
+LEGEND = "  ".join(f"{status.sign} {status}" for status in Status)
 
 
 def progress_bar(doing: str = "grading") -> Progress:
@@ -180,7 +169,7 @@ def _line(console: Console, text: str) -> None:
 
 
 def _sign(status: str) -> str:
-    return f"[{_COLOURS.get(status, 'red')}]{SIGNS.get(status, ' ')}[/]"
+    return f"[{Status(status).color}]{Status(status).sign}[/]"
 
 
 def _verdict(mark: Mark) -> str:

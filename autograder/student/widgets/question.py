@@ -7,11 +7,12 @@ from typing import Any
 from autograder.course.questions import Question
 from autograder.errors import AutograderError
 from autograder.kinds.mark import Mark
+from autograder.kinds.status import Status
 from autograder.reports.markdown import inline, markdown
 from autograder.student.desk import Desk, hints_open
 from autograder.student.receipts import RECEIPT, receipt
 from autograder.student.responses import Entry, attempts
-from autograder.student.views import SIGNS, number, plural
+from autograder.student.views import number, plural
 from autograder.student.widgets.base import CourseWidget
 
 
@@ -55,7 +56,7 @@ class QuestionWidget(CourseWidget):
         earned = "" if mark.status == "recorded" else _earned(mark)
         return {
             "status": mark.status,
-            "sign": SIGNS.get(mark.status, "!"),
+            "sign": Status(mark.status).sign,
             "points": earned,
             "feedback": inline(mark.feedback),
             "explanation": markdown(mark.explanation) if mark.status in _EXPLAINED else "",
