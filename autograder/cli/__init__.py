@@ -24,6 +24,8 @@ from autograder.cli import (
     export,
     feedback,
     grade,
+    mark,
+    merge,
     note,
     override,
     regrade,
@@ -38,7 +40,7 @@ __all__ = ["BROKEN", "DONE", "WRONG_USAGE", "main"]
 
 _COMMANDS = (
     *(grade, regrade, show, override, note),
-    *(adjust, export, feedback, similar, release),
+    *(mark, merge, adjust, export, feedback, similar, release),
     *(check, build, doctor),
 )
 
