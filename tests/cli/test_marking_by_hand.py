@@ -222,9 +222,8 @@ def test_a_spreadsheet_marks_texts_too(graded, grades, capsys):
     assert run(graded, grades, "override", "--write", str(sheet)) == 0
     lines = sheet.read_text().splitlines()
     assert len(lines) == 4
-    sheet.write_text(
-        "\n".join([lines[0], *(line.replace(",,3,", ",2.5,3,") for line in lines[1:])])
-    )
+    filled = [line.replace(",,3,", ",2.5,3,") for line in lines[1:]]
+    sheet.write_text("\n".join([lines[0], *filled]))
     assert run(graded, grades, "override", "--read", str(sheet)) == 0
     assert rows(grades / "grades.csv")["curie"]["Q5"] == "2.5"
     assert run(graded, grades, "mark") == 0
