@@ -11,7 +11,7 @@ from importlib.util import find_spec
 from rich.console import Console
 
 from autograder.cli.common import find_class_list, print_json
-from autograder.cli.status import DONE
+from autograder.cli.status import DONE, INTERRUPTED
 from autograder.course import Course
 from autograder.errors import CourseError
 from autograder.gradebook import Gradebook, Record, Run, view_class
@@ -59,6 +59,7 @@ def grade_and_report(
     if parsed.no_sandbox:
         warn("Student code runs with your own rights (--no-sandbox); every report says so.")
     began = time.monotonic()
+    interrupted = False
     with progress_bar() as progress:
         task = progress.add_task("", total=len(submissions))
 
@@ -81,9 +82,13 @@ def grade_and_report(
         with spread:
             try:
                 grade_class(submissions, course, spread, done, questions, known)
+            except KeyboardInterrupt:
+                interrupted = True
             finally:
                 if spread.isolation and not parsed.dry_run:
                     run = book.note_isolation(run, spread.isolation)
+    if interrupted:
+        return _after_interruption(parsed, console, course, book, graded, len(submissions))
     changed = changes(before, graded)
     if parsed.dry_run:
         _tell_dry_run(parsed, console, before, changed, len(graded))
@@ -127,6 +132,26 @@ def grade_and_report(
         console.print(f"{len(changed)} marks of {len(students)} students are others than before.")
     console.print(f"{len(submissions)} graded; {written}.", soft_wrap=True, markup=False)
     return DONE
+
+
+def _after_interruption(
+    parsed: argparse.Namespace,
+    console: Console,
+    course: Course,
+    book: Gradebook,
+    graded: list[Graded],
+    count: int,
+) -> int:
+    """Write the reports of what is done, and say how to go on."""
+    if graded and not parsed.dry_run:
+        students = {entry.submission.student for entry in graded}
+        options = Options(parsed.out, students, find_class_list(parsed, book))
+        write_reports(course, book, options, console)
+        kept = "their reports are written; run it again to go on"
+    else:
+        kept = "nothing was written"
+    warn(f"Stopped: {len(graded)} of {count} were graded; {kept}.")
+    return INTERRUPTED
 
 
 def _require_packages(course: Course) -> None:

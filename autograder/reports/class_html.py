@@ -60,7 +60,7 @@ def class_html(
         f"from {totals.min():g} to {totals.max():g}.</p>"
     )
     if run is not None and run.isolation:
-        header.append(f'<p class="soft">Student code was kept in by: {text(run.isolation)}.</p>')
+        header.append(f'<p class="soft">Student code was isolated with {text(run.isolation)}.</p>')
     to_do = to_do_html(view, links) if view is not None else ""
     sections = [
         *([_section("What needs a person", to_do)] if to_do else []),
