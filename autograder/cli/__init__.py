@@ -24,6 +24,7 @@ from autograder.cli import (
     export,
     feedback,
     grade,
+    intake,
     mark,
     merge,
     note,
@@ -40,7 +41,7 @@ from autograder.reports.plain_text import make_plain
 __all__ = ["BROKEN", "DONE", "INTERRUPTED", "WRONG_USAGE", "main"]
 
 _COMMANDS = (
-    *(grade, regrade, show, override, note),
+    *(intake, grade, regrade, show, override, note),
     *(mark, merge, adjust, export, feedback, similar, release),
     *(check, build, doctor),
 )
