@@ -18,7 +18,6 @@ from autograder.course import Course
 from autograder.errors import CourseError
 from autograder.gradebook import Gradebook, Record, Run, view_class
 from autograder.grading.changes import Change, changes
-from autograder.grading.dask_address import parse_address
 from autograder.grading.graded import Graded
 from autograder.grading.spread import Spread
 from autograder.grading.threads import Threads
@@ -50,7 +49,6 @@ def grade_and_report(
     submissions = [row.submission for row in summary.rows]
     Pictures(course)
     _require_packages(course)
-    address = None if parsed.cluster is None else parse_address(parsed.cluster)
     questions = frozenset(course.question(id).id for id in parsed.question or ()) or None
     before = {record.student: record for record in book.records()}
     isolation: Isolation = "none" if parsed.no_sandbox else "auto"
@@ -77,13 +75,13 @@ def grade_and_report(
             progress.update(task, advance=1, description=said)
 
         spread: Spread
-        if address is None:
+        if parsed.cluster is None:
             jobs = min(parsed.jobs, len(submissions))
             spread = Threads(marker, jobs, questions, isolation)
         else:
             from autograder.grading.dask_cluster import DaskCluster
 
-            spread = DaskCluster(marker, address, questions, isolation, warn)
+            spread = DaskCluster(marker, parsed.cluster, questions, isolation, warn)
         with spread:
             try:
                 grade_class(submissions, course, spread, done, questions, known)
