@@ -122,7 +122,7 @@ def test_the_typical_slips_in_functions_are_named(marks):
     mine = marks["gauss"]
     all_right_but(mine, "Q2.3", "Q3.3", *BUILT_ON_FIT_LINE)
     assert mine["Q2.3"].alternative == "keeps a negative radius"
-    assert mine["Q3.3"].alternative == "rounds down"
+    assert mine["Q3.3"].alternative == "rounds down, edges forgotten"
 
 
 def test_a_cell_that_raises_costs_its_own_question_only(marks):

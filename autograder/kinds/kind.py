@@ -8,7 +8,7 @@ function holds; these two say what such kinds have in common.
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any, ClassVar, Generic, TypeVar
 
@@ -19,6 +19,7 @@ from autograder.kinds.exercise import Exercise
 from autograder.kinds.question import Question
 from autograder.kinds.toml_table import Table
 from autograder.marking.mark import Mark
+from autograder.marking.mutants.mutant import Trial
 from autograder.marking.probe import Probe
 
 Q = TypeVar("Q", bound=Question)
@@ -39,6 +40,8 @@ class Kind(ABC, Generic[Q, A]):
     # what is wrong is told by the part and not by the alternative that matched.
     parts_stand_alone: ClassVar[bool] = False
     parts_heading: ClassVar[str] = "Parts"  # above the parts on the page of feedback
+    # How many right responses in other clothes prove the key, where a course has any.
+    fewest_variants: ClassVar[int] = 0
     has_field: ClassVar[bool] = False  # whether a response may be typed into a field
 
     # -- asked, and right ------------------------------------------------------------------------
@@ -206,6 +209,33 @@ class Kind(ABC, Generic[Q, A]):
     def solutions(self, answer: A) -> tuple[str, ...]:
         """Those of them that are a solution, right or wrong; the right one stands first."""
         return ()
+
+    def trial(
+        self,
+        question: Q,
+        answer: A,
+        proven: Sequence[str],
+        root: Path,
+        draw: Callable[[int], np.random.Generator],
+    ) -> Trial | None:
+        """The mutants of what is right; None for a kind whose key has nothing to change.
+
+        Args:
+            question: what is asked.
+            answer: its key.
+            proven: the references of all questions; each is changed for its own question only.
+            root: the course's.
+            draw: the random numbers of a seed, as for `make_probe`.
+        """
+        return None
+
+    def variant(self, question: Q, function: Callable[..., Any]) -> Any:
+        """The response that a function of ``solutions/variants`` stands for."""
+        return function()
+
+    def promises(self, answer: A, root: Path, probe: Probe) -> list[tuple[str, list[str]]]:
+        """What a prompt promises to raise, and the names of the cases that test it."""
+        return []
 
     def take_snapshot(
         self, question: Q, answer: A, drawn: Probe, again: Probe

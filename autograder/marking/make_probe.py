@@ -25,8 +25,12 @@ def make_probe(question: Question, answer: Answer, seed: int, root: Path) -> Pro
         CourseError: if the reference, cases or a mistake cannot be loaded, or the cases are
             malformed.
     """
-    rng = np.random.default_rng([seed, zlib.crc32(question.id.encode())])
-    return kind_of(question).make_probe(question, answer, rng, root)
+    return kind_of(question).make_probe(question, answer, random_numbers(question, seed), root)
+
+
+def random_numbers(question: Question, seed: int) -> np.random.Generator:
+    """Where the hidden points or inputs of a question come from."""
+    return np.random.default_rng([seed, zlib.crc32(question.id.encode())])
 
 
 def load_object(dotted_name: str, root: Path) -> Callable[..., Any]:

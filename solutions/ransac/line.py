@@ -12,15 +12,17 @@ from solutions.lines.line_fitting import Line, distances, fit_line
 def ransac_line(
     points: np.ndarray, threshold: float, iterations: int, rng: np.random.Generator
 ) -> tuple[Line, np.ndarray]:
-    """Return the line that most points agree with, and the sorted indices of these points.
+    """Return the line that most points agree with, and the indices of these points.
 
     `points` is an (N, 2) array in metres. Each of the `iterations` samples is a pair of two
     different points, drawn with `rng`; its line is the hypothesis, and a point agrees if it
     is at most `threshold` metres away, on either side. The line of the largest consensus set
-    is fitted again, with least squares, to all points of that set; the indices returned are
-    those of the points within the threshold of this last line.
+    is fitted again, with least squares, to all points of that set. The indices, in any order,
+    are those of the points within the threshold of this last line; they may be those of the
+    consensus set as well, which is nearly always the same.
 
-    Raises ValueError if no sample gave a line, as when all points are equal.
+    Raises ValueError if no sample gave a line, as when all points are equal or `iterations`
+    is 0.
     """
     best = np.array([], dtype=int)
     for _ in range(iterations):

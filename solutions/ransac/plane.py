@@ -12,15 +12,17 @@ from solutions.lines.plane_fitting import Plane, fit_plane, plane_distances
 def ransac_plane(
     points: np.ndarray, threshold: float, iterations: int, rng: np.random.Generator
 ) -> tuple[Plane, np.ndarray]:
-    """Return the plane that most points agree with, and the sorted indices of these points.
+    """Return the plane that most points agree with, and the indices of these points.
 
     `points` is an (N, 3) array in metres. Each of the `iterations` samples holds three
     different points, drawn with `rng`; a point agrees with their plane if it is at most
     `threshold` metres away, on either side. The plane of the largest consensus set is fitted
-    again, with `fit_plane`, to all points of that set; the indices returned are those of the
-    points within the threshold of this last plane.
+    again, with `fit_plane`, to all points of that set. The indices, in any order, are those of
+    the points within the threshold of this last plane; they may be those of the consensus set
+    as well, which is nearly always the same.
 
-    Raises ValueError if no sample gave a plane, as when all points are on one line.
+    Raises ValueError if no sample gave a plane, as when all points are on one line or
+    `iterations` is 0.
     """
     best = np.array([], dtype=int)
     for _ in range(iterations):

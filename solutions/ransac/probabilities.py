@@ -15,10 +15,11 @@ def required_iterations(p: float, w: float, s: int) -> int | float:
     """Return how many samples RANSAC must draw to get an all-inlier one with probability p.
 
     `p` is the wanted probability (0 < p < 1), `w` the inlier ratio (0 to 1) and `s` the
-    number of points in a sample. The result is the smallest whole number that is enough, 1
-    for w = 1 and math.inf for w = 0. It is right for a tiny w**s, too.
+    number of points in a sample (1 or more). The result is the smallest whole number that is
+    enough, to nine digits if it is a very large one. It is right for a tiny w**s, too. For w = 1
+    it is 1. For w = 0 no number is enough: the result is math.inf, or a ValueError is raised.
 
-    Raises ValueError if p, w or s is out of range.
+    Raises ValueError if p or w is out of range.
     """
     if not (0 < p < 1 and 0 <= w <= 1 and s >= 1):
         raise ValueError(f"Needs 0 < p < 1, 0 <= w <= 1 and s >= 1, not p={p}, w={w}, s={s}.")

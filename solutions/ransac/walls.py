@@ -25,9 +25,11 @@ def find_walls(
     """
     walls = []
     left = np.arange(len(points))  # the points that belong to no wall yet
-    # Points that are all in one spot make no wall either.
-    while len(left) >= max(min_points, 2) and np.ptp(points[left], axis=0).any():
-        line, inliers = ransac_line(points[left], threshold, iterations, rng)
+    while len(left) >= max(min_points, 2):
+        try:
+            line, inliers = ransac_line(points[left], threshold, iterations, rng)
+        except ValueError:  # no line among them, as when they are all in one spot
+            break
         if len(inliers) < min_points:
             break
         walls.append((line, left[inliers]))

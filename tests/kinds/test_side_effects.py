@@ -123,3 +123,12 @@ def test_an_exception_of_a_more_special_class_is_the_one_that_was_asked_for():
         assert not right({}, expected, raising(error)), type(error)
     assert not right({}, {"raised": "UnicodeError"}, raising(ValueError()))
     assert not right({}, expected, {"value": 1.0})
+
+
+def test_a_case_may_say_that_an_exception_is_as_right_as_the_value():
+    case, expected = {"may_raise": "ValueError"}, {"value": np.inf}
+    assert right(case, expected, raising(ValueError()))
+    assert right(case, expected, {"value": np.inf})
+    assert not right(case, expected, raising(ZeroDivisionError()))
+    assert not right(case, expected, {"value": 0.0})
+    assert not right({}, expected, raising(ValueError()))

@@ -25,7 +25,7 @@ LIMITS = Settings(
 PATIENT = replace(LIMITS, notebook_seconds=60, cell_seconds=30, question_seconds=30)
 
 
-NUMBER = {"kind": "number"}
+NUMBER = {"inside": "autograder.kinds.number.inside.evaluate"}
 
 
 GOOD = [
@@ -35,12 +35,18 @@ GOOD = [
 ]
 
 
-CASE = {"kind": "function", "cases": [{"args": [[1.0, 2.0]]}]}
+CASE = {"inside": "autograder.kinds.function.inside.evaluate", "cases": [{"args": [[1.0, 2.0]]}]}
 
 
 def asked(session: Session, name: str, *arguments: object) -> dict[str, Any]:
     """Evaluate a function for one list of arguments."""
-    return session.evaluate(name, {"kind": "function", "cases": [{"args": list(arguments)}]})
+    return session.evaluate(
+        name,
+        {
+            "inside": "autograder.kinds.function.inside.evaluate",
+            "cases": [{"args": list(arguments)}],
+        },
+    )
 
 
 class Lab:

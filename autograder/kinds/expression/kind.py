@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -18,9 +18,11 @@ from autograder.kinds.expression.answer import ExpressionAlternative, Expression
 from autograder.kinds.expression.formula import evaluate_formula
 from autograder.kinds.expression.marking import hidden_points, mark_expression
 from autograder.kinds.expression.question import Expression
+from autograder.kinds.expression.trial import ExpressionTrial
 from autograder.kinds.toml_table import Table
 from autograder.kinds.typed import assign_if_open
 from autograder.marking.mark import Mark
+from autograder.marking.mutants.mutant import Trial
 from autograder.marking.probe import Probe
 
 
@@ -30,6 +32,7 @@ class ExpressionKind(CodeKind[Expression, ExpressionAnswer]):
     name = "expression"
     inside = "autograder.kinds.expression.inside.evaluate"
     has_field = True
+    fewest_variants = 6
 
     def read_question(self, table: Table, common: dict[str, Any]) -> Expression:
         return asked.read_question(table, common)
@@ -110,6 +113,21 @@ class ExpressionKind(CodeKind[Expression, ExpressionAnswer]):
         count = len(next(iter(probe.kept.values())))
         values = evaluate_formula(alternative.expression, probe.kept)
         return {"state": "given", "values": np.broadcast_to(values, (count,)).astype(complex)}
+
+    def trial(
+        self,
+        question: Expression,
+        answer: ExpressionAnswer,
+        proven: Sequence[str],
+        root: Path,
+        draw: Callable[[int], np.random.Generator],
+    ) -> Trial:
+        return ExpressionTrial(question, answer, draw)
+
+    def variant(self, question: Expression, function: Callable[..., Any]) -> Any:
+        from autograder.kinds.expression.inside.typed import on_symbols
+
+        return on_symbols(function)
 
     def secrets(self, question: Expression, answer: ExpressionAnswer) -> Iterator[str]:
         yield from super().secrets(question, answer)

@@ -56,7 +56,7 @@ def _check_cases(question: Function, cases: Any) -> None:
         isinstance(case, dict)
         and isinstance(case.get("name"), str)
         and isinstance(case.get("args"), list)
-        and case.keys() <= {"name", "args", "kwargs", "public", "draws"}
+        and case.keys() <= {"name", "args", "kwargs", "public", "draws", "may_raise"}
         for case in cases
     )
     if not cases or not well_formed:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -16,11 +16,15 @@ from autograder.kinds.function import snapshot as examples
 from autograder.kinds.function.answer import FunctionAnswer
 from autograder.kinds.function.expected import make_probe
 from autograder.kinds.function.marking import mark_function
+from autograder.kinds.function.promises import promises
 from autograder.kinds.function.question import Function
 from autograder.kinds.function.stub import function_stub, reference_source
 from autograder.kinds.function.take_snapshot import take_snapshot
+from autograder.kinds.function.trial import FunctionTrial
 from autograder.kinds.toml_table import Table
+from autograder.marking.make_probe import load_object
 from autograder.marking.mark import Mark
+from autograder.marking.mutants.mutant import Trial
 from autograder.marking.probe import Probe
 
 
@@ -30,6 +34,7 @@ class FunctionKind(CodeKind[Function, FunctionAnswer]):
     name = "function"
     inside = "autograder.kinds.function.inside.evaluate"
     parts_heading = "Kinds of input"
+    fewest_variants = 4
 
     def read_question(self, table: Table, common: dict[str, Any]) -> Function:
         return asked.read_question(table, common)
@@ -98,6 +103,24 @@ class FunctionKind(CodeKind[Function, FunctionAnswer]):
 
     def solutions(self, answer: FunctionAnswer) -> tuple[str, ...]:
         return (answer.reference, *(entry.function for entry in answer.alternatives))
+
+    def trial(
+        self,
+        question: Function,
+        answer: FunctionAnswer,
+        proven: Sequence[str],
+        root: Path,
+        draw: Callable[[int], np.random.Generator],
+    ) -> Trial:
+        return FunctionTrial(answer, proven, root, draw)
+
+    def variant(self, question: Function, function: Callable[..., Any]) -> Any:
+        return function
+
+    def promises(
+        self, answer: FunctionAnswer, root: Path, probe: Probe
+    ) -> list[tuple[str, list[str]]]:
+        return promises(load_object(answer.reference, root), probe.kept)
 
     def take_snapshot(
         self, question: Function, answer: FunctionAnswer, drawn: Probe, again: Probe

@@ -47,8 +47,8 @@ def take_snapshot(
     forgiving = any(forgives(drawn, index) for index in chosen)
     cases = []
     for index in sorted(chosen):
-        case = {key: drawn.cases[index][key] for key in ("name", "args")}
-        case["kwargs"] = drawn.cases[index].get("kwargs", {})
+        case = {k: v for k, v in drawn.cases[index].items() if k != "public"}
+        case.setdefault("kwargs", {})
         if answer.snapshot:
             case["expected"] = drawn.outcomes[index]
             if forgiving:
