@@ -141,7 +141,7 @@ ENGINE = [
 def test_every_folder_of_kinds_is_a_kind():
     folders = {path.parent.name for path in (ROOT / "autograder/kinds").glob("*/__init__.py")}
     assert folders == set(KINDS)
-    assert len(KINDS) == 5
+    assert len(KINDS) == 6
 
 
 @pytest.mark.parametrize("path", ENGINE, ids=lambda path: str(path.relative_to(ROOT)))

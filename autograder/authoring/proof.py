@@ -64,7 +64,8 @@ def prove_course(
     with Sandbox(course) as sandbox:
         report("solved notebooks")
         for mark in grade_contents(_contents([b.text for b in solved], course), marker, sandbox):
-            if mark.status != "right":
+            by_hand = kind_of(course.questions[mark.question]).by_hand
+            if mark.status != ("recorded" if by_hand else "right"):
                 problems.append(
                     f"{mark.question}: the solved notebook is marked {mark.status}: {mark.feedback}"
                 )

@@ -149,7 +149,7 @@ def keep_response(id: Any, response: Any) -> dict[str, Any]:
         return {}
     try:
         plain = plain_response(response)
-        return {id: plain} if len(json.dumps(plain)) <= MAX_RESPONSE else {}
+        return {id: plain} if len(json.dumps(plain, ensure_ascii=False)) <= MAX_RESPONSE else {}
     except (TypeError, ValueError, RecursionError):
         return {}
 

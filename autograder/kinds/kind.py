@@ -40,6 +40,7 @@ class Kind(ABC, Generic[Q, A]):
     # what is wrong is told by the part and not by the alternative that matched.
     parts_stand_alone: ClassVar[bool] = False
     parts_heading: ClassVar[str] = "Parts"  # above the parts on the page of feedback
+    by_hand: ClassVar[bool] = False  # whether only a person can mark it, and marks are "recorded"
     # How many right responses in other clothes prove the key, where a course has any.
     fewest_variants: ClassVar[int] = 0
     has_field: ClassVar[bool] = False  # whether a response may be typed into a field

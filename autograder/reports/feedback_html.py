@@ -191,6 +191,9 @@ def _understood(question: Question, mark: Mark) -> list[str]:
     read_as = kind_of(question).read_as(question, mark)
     if read_as is not None:
         return [label, f"<ol>{''.join(f'<li>{inline(line)}</li>' for line in read_as)}</ol>"]
+    if kind_of(question).by_hand:
+        said = f'<div class="said prose">{markdown(mark.understood)}</div>'
+        return ['<p class="label">Your answer</p>', said]
     return [label, f'<p class="said">{text(mark.understood)}</p>']
 
 
