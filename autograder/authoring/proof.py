@@ -100,7 +100,7 @@ def _prove_answer(course: Course, question: Question, answer: Answer) -> Iterato
     for seed in SEEDS:
         marker = Marker(course, seed)
         for alternative in answer.alternatives:
-            response = kind.response_like(question, alternative, marker.probe(question.id))
+            response = kind.response_like(question, alternative, marker.drawn(question.id))
             if response is None:
                 continue
             mark = marker.mark(question.id, response)

@@ -17,7 +17,7 @@ from autograder.cli.status import BROKEN, DONE, INTERRUPTED
 from autograder.course import Course
 from autograder.errors import CourseError
 from autograder.gradebook import Gradebook, Record, Run, view_class
-from autograder.grading.changes import Change, changes
+from autograder.gradebook.changes import Change, changes
 from autograder.grading.graded import Graded
 from autograder.grading.spread import Spread
 from autograder.grading.threads import Threads

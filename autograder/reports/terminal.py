@@ -12,25 +12,14 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 from rich.table import Table
 
 from autograder.course import Course
+from autograder.gradebook.changes import Change
 from autograder.gradebook.record import Override, Record, names_of
-from autograder.grading.changes import Change
+from autograder.kinds.status import Status
 from autograder.marking import Mark
 from autograder.reports.machine import most_for
 
 NARROW = 60  # columns, below which tables are written as lines
-SIGNS = {
-    "right": "✓",
-    "partial": "◐",
-    "wrong": "✗",
-    "not attempted": "·",
-    "recorded": "●",
-    "error": "E",
-    "timeout": "T",
-    "killed": "K",
-    "unreadable": "?",
-}
-_COLOURS = {"right": "green", "partial": "yellow", "not attempted": "dim", "recorded": "default"}
-LEGEND = "✓ right  ◐ partial  ✗ wrong  · not attempted  E error  T timeout  K killed  ? unreadable"
+LEGEND = "  ".join(f"{status.sign} {status}" for status in Status)
 
 
 def progress_bar(doing: str = "grading") -> Progress:
@@ -97,7 +86,7 @@ def _print_lines(console: Console, course: Course, records: Sequence[Record]) ->
         _line(console, f"{names[record.student]}: {record.total:g} / {most_for(course, record):g}")
         for chapter in course.chapters:
             signs = "".join(
-                SIGNS.get(marks[question.id].status, " ") if question.id in marks else " "
+                Status(marks[question.id].status).sign if question.id in marks else " "
                 for question in chapter.questions
             )
             _line(console, f"  {signs}  {chapter.title}")
@@ -179,7 +168,7 @@ def print_record(
         points = record.points(question.id)
         shown = f"{'?' if points is None else f'{points:g}'} / {question.points:g}"
         if is_narrow:
-            _line(console, f"{SIGNS.get(mark.status, ' ')} {question.id}  {shown}")
+            _line(console, f"{Status(mark.status).sign} {question.id}  {shown}")
             for text in (mark.understood, f"{counts} {said}".strip()):
                 _line(console, f"    {text}")
             continue
@@ -211,7 +200,7 @@ def _line(console: Console, text: str) -> None:
 
 
 def _sign(status: str) -> str:
-    return f"[{_COLOURS.get(status, 'red')}]{SIGNS.get(status, ' ')}[/]"
+    return f"[{Status(status).color}]{Status(status).sign}[/]"
 
 
 def _verdict(mark: Mark) -> str:

@@ -7,12 +7,12 @@ from typing import Any
 
 from autograder.errors import UsageError
 from autograder.kinds.choice import ChoiceKind
+from autograder.kinds.mark import Mark, not_attempted
 from autograder.kinds.text import answer as right
 from autograder.kinds.text import question as asked
 from autograder.kinds.text.answer import TextAnswer
 from autograder.kinds.text.question import Text
 from autograder.kinds.toml_table import Table
-from autograder.marking.mark import Mark, not_attempted
 
 
 class TextKind(ChoiceKind[Text, TextAnswer]):

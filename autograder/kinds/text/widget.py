@@ -7,9 +7,9 @@ from typing import Any
 
 from autograder.kinds.registry import kind_of
 from autograder.kinds.text.question import Text
+from autograder.reports.markdown import markdown
 from autograder.student.widgets.base import source
 from autograder.student.widgets.choice import ChoiceWidget
-from autograder.student.widgets.markup import block
 
 HERE = Path(__file__).parent
 
@@ -26,7 +26,7 @@ class TextWidget(ChoiceWidget):
 
     def what_is_kept(self) -> dict[str, Any]:
         kept = super().what_is_kept()
-        return {**kept, "shown": block(kept["response"]) if kept["response"] else ""}
+        return {**kept, "shown": markdown(kept["response"]) if kept["response"] else ""}
 
     def do_write(self, message: dict[str, Any]) -> dict[str, Any]:
         """Keep what stands in the field."""
