@@ -2,8 +2,9 @@
 
 What is proven: every question is asked once and has a key; the solved notebooks earn every point
 and the untouched ones none; each known mistake is told apart from the right response and from the
-other mistakes by the very inputs that grade; no answer stands in what students get; no file is out
-of place.
+other mistakes by the very inputs that grade; each mutant of what is right loses credit, and right
+work in other clothes earns all; what a docstring promises to raise is asked for; no answer stands
+in what students get; no file is out of place.
 """
 
 from __future__ import annotations
@@ -14,6 +15,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 from autograder.authoring.build import build_student_notebooks, unexecuted_solved_notebooks
+from autograder.authoring.proof_by_mutants import prove_by_mutants, untested_promises
 from autograder.course import ANSWERS, QUESTIONS, Course, load_course
 from autograder.course.answers import Answer
 from autograder.course.questions import Question
@@ -51,13 +53,19 @@ def prove_course(
             problems.append(f"{question.id}: {error}")
     if problems:
         return problems
+    try:
+        problems += prove_by_mutants(course, report)
+    except AutograderError as error:
+        return [str(error)]
     report("leaks")
     problems += _leaks(course, [built.text for built in untouched])
     marker = Marker(course, SEEDS[0])
+    problems += untested_promises(course, marker)
     with Sandbox(course) as sandbox:
         report("solved notebooks")
         for mark in grade_contents(_contents([b.text for b in solved], course), marker, sandbox):
-            if mark.status != "right":
+            by_hand = kind_of(course.questions[mark.question]).by_hand
+            if mark.status != ("recorded" if by_hand else "right"):
                 problems.append(
                     f"{mark.question}: the solved notebook is marked {mark.status}: {mark.feedback}"
                 )
@@ -92,7 +100,7 @@ def _prove_answer(course: Course, question: Question, answer: Answer) -> Iterato
     for seed in SEEDS:
         marker = Marker(course, seed)
         for alternative in answer.alternatives:
-            response = kind.response_like(question, alternative, marker.probe(question.id))
+            response = kind.response_like(question, alternative, marker.drawn(question.id))
             if response is None:
                 continue
             mark = marker.mark(question.id, response)

@@ -8,7 +8,7 @@ from __future__ import annotations
 from typing import Any
 
 from autograder.errors import CourseError
-from autograder.kinds.answer import Alternative, Answer
+from autograder.kinds.answer import Alternative, Answer, Equivalent
 from autograder.kinds.question import Question
 from autograder.kinds.registry import kind_of
 from autograder.kinds.toml_table import Table
@@ -32,9 +32,13 @@ def answer_from_table(table: dict[str, Any], question: Question) -> Answer:
         "code": read.text("code", ""),
         "snapshot": read.take("snapshot", bool, True),
     }
+    declared = read.tables("equivalent", "equivalent", [])
+    common["equivalent"] = tuple(
+        Equivalent(entry.text("mutant"), entry.text("why")) for entry in declared
+    )
     tables = read.tables("alternative", "alternative", [])
     answer: Answer = kind_of(question).read_answer(question, read, tables, common)
-    for entry in (read, *tables):
+    for entry in (read, *declared, *tables):
         entry.done()
     names = [alternative.name for alternative in answer.alternatives]
     if len(set(names)) != len(names):

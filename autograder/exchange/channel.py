@@ -37,14 +37,15 @@ class Channel:
         """The descriptor, for `select`."""
         return self._socket.fileno()
 
-    def send(self, message: Any, deadline: float | None = None) -> None:
-        """Send one message.
+    def send(self, message: Any, deadline: float | None = None, most: int | None = None) -> None:
+        """Send one message; ``most`` is as in `wire.encode`.
 
         Raises:
+            wire.TooLarge: if it is more than the other side takes.
             Late: if the other side does not take it in time.
             OSError: if there is no other side any more.
         """
-        data = memoryview(wire.encode(message))
+        data = memoryview(wire.encode(message, most))
         if deadline is None:
             self._socket.sendall(data)
             return

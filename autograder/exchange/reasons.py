@@ -13,5 +13,6 @@ REASONS = {
     "not evaluable": "it has no value at the points where it was tried",
     "not a function": "it is not a function",
     "not plain": "it returned something that is not a number, text, list, dictionary or array",
+    "too large": "it returned far more than any answer to this question needs",
     "missing": "nothing of that name is there",
 }

@@ -10,7 +10,8 @@ A message is a JSON value in which arrays, complex numbers and tuples may stand.
 Nothing that is read here can run code: no pickle, no object arrays, and every length is compared
 with a cap before memory is taken. What is read takes little more memory than its frame: JSON of
 nothing but brackets would take fifty times its length, so lists and dictionaries and what they hold
-are counted first, and every array stands in one place only.
+are counted first, every array stands in one place only, and an array counts as what it becomes when
+it is unpacked (`autograder.exchange.sizes`), not as its bytes.
 """
 
 from __future__ import annotations
@@ -24,12 +25,15 @@ from typing import IO, Any
 
 import numpy as np
 
+from autograder.exchange.sizes import unpacked_bytes
+
 HEADER = struct.Struct(">IQ")
 MAX_JSON = 16 * 2**20
 MAX_ARRAYS = 256 * 2**20
 MAX_DEPTH = 32
 MAX_ARRAY_COUNT = 10_000
 BYTES_A_PART = 16  # of the cap on JSON, for each entry of a list or a dictionary
+UNPACKED = 8  # times the cap on arrays: what they may take when they are unpacked
 _KINDS = "biufc"
 _ITEM_SIZES = {"b": (1,), "i": (1, 2, 4, 8), "u": (1, 2, 4, 8), "f": (2, 4, 8), "c": (8, 16)}
 _TYPE = re.compile(r"[<>|=]?([biufc])(\d{1,2})")
@@ -40,10 +44,17 @@ class WireError(Exception):
     """The bytes are no message, or the value is no plain data."""
 
 
-def encode(value: Any) -> bytes:
+class TooLarge(WireError):
+    """The value is plain data, but the other side would not take as much."""
+
+
+def encode(value: Any, most: int | None = None) -> bytes:
     """The frame of a plain value.
 
+    ``most`` is the other side's cap on the JSON and on the arrays, if it is known.
+
     Raises:
+        TooLarge: if the other side would refuse the frame for its size.
         WireError: if the value holds anything but None, booleans, numbers, strings, lists,
             dictionaries with string keys and numeric arrays.
     """
@@ -81,15 +92,23 @@ def encode(value: Any) -> bytes:
         text = json.dumps({"body": body, "arrays": table}).encode()
     except ValueError as error:  # an int too large to print
         raise WireError(str(error)) from None
+    if most is not None and (
+        len(text) > most
+        or _has_too_many_parts(text, most)
+        or sum(array.nbytes for array in arrays) > most
+        or sum(unpacked_bytes(a.shape, a.itemsize) for a in arrays) > UNPACKED * most
+    ):
+        raise TooLarge("a message larger than the cap")
     raw = b"".join(array.tobytes() for array in arrays)
     return HEADER.pack(len(text), len(raw)) + text + raw
 
 
-def decode(text: bytes, raw: bytes) -> Any:
+def decode(text: bytes, raw: bytes, max_unpacked: int = UNPACKED * MAX_ARRAYS) -> Any:
     """The value of a frame's two parts.
 
     Raises:
-        WireError: if they are not what `encode` writes.
+        WireError: if they are not what `encode` writes, or if the arrays would take more than
+            ``max_unpacked`` bytes when they are unpacked.
     """
     try:
         message = json.loads(text)
@@ -97,13 +116,16 @@ def decode(text: bytes, raw: bytes) -> Any:
         if len(table) > MAX_ARRAY_COUNT:
             raise WireError("too many arrays")
         arrays: list[np.ndarray | None] = []
-        at = 0
+        at = unpacked = 0
         for code, shape in table:
             dtype = _allowed_type(code)
             if len(shape) > _MAX_DIMENSIONS or not all(
                 type(n) is int and 0 <= n <= MAX_ARRAYS for n in shape
             ):
                 raise WireError("an array of an impossible shape")
+            unpacked += unpacked_bytes(shape, dtype.itemsize)
+            if unpacked > max_unpacked:
+                raise WireError("arrays that would become too large")
             size = dtype.itemsize * math.prod(shape)
             if at + size > len(raw):
                 raise WireError("an array is longer than its bytes")
@@ -194,6 +216,10 @@ def read_message(
         raise WireError("a message larger than the cap")
     text = read_exactly(json_length)
     # Commas and brackets inside of texts count too; no honest message comes near the cap.
-    if sum(map(text.count, (b",", b"[", b"{"))) > max_json // BYTES_A_PART:
+    if _has_too_many_parts(text, max_json):
         raise WireError("a message of too many parts")
-    return decode(text, read_exactly(array_length))
+    return decode(text, read_exactly(array_length), UNPACKED * max_arrays)
+
+
+def _has_too_many_parts(text: bytes, max_json: int) -> bool:
+    return sum(map(text.count, (b",", b"[", b"{"))) > max_json // BYTES_A_PART

@@ -23,10 +23,19 @@ class Alternative:
 
 
 @dataclass(frozen=True)
+class Equivalent:
+    """A mutant of what is right that no input can tell from it, and why."""
+
+    mutant: str
+    why: str
+
+
+@dataclass(frozen=True)
 class Answer:
     """The key to one question; ``code`` fills the solved notebook.
 
-    ``snapshot`` says whether a student bundle may check it on examples.
+    ``snapshot`` says whether a student bundle may check it on examples. ``equivalent`` are the
+    mutants that need not lose any credit.
     """
 
     id: str
@@ -34,6 +43,7 @@ class Answer:
     code: str
     alternatives: tuple[Any, ...]
     snapshot: bool = field(default=True, kw_only=True)
+    equivalent: tuple[Equivalent, ...] = field(default=(), kw_only=True)
 
 
 def read_alternative(table: Table, credit: Any = ...) -> dict[str, Any]:

@@ -109,7 +109,13 @@ class Session:
         seconds = min(self._settings.question_seconds, self._deadline - time.monotonic())
         if seconds <= 0:  # running the notebook again took the rest
             raise out_of_time()
-        message = {"do": "evaluate", "name": name, "probe": probe, "seconds": seconds}
+        message = {
+            "do": "evaluate",
+            "name": name,
+            "probe": probe,
+            "seconds": seconds,
+            "most": int(self._settings.output_mb * 2**20),
+        }
         answer = self._ask(message, time.monotonic() + seconds + GRACE)
         if "reply" not in answer:
             raise _stop_by(answer.get("ended_by"))

@@ -51,6 +51,39 @@ def send_a_signal():
     except OSError:  # or else by owning a descriptor, whose owner can be sent any signal
         fcntl.fcntl(socket.socketpair()[0], fcntl.F_SETOWN, {grader})
     return True
+def change_a_file():
+    # The canary is the grader's: the right to change it must be refused, not only be missing.
+    for change in (
+        lambda: os.chmod({canary!r}, 0o777),
+        lambda: os.chmod({folder!r}, 0),
+        lambda: os.utime({canary!r}, (1, 1)),
+        lambda: os.chown({canary!r}, os.getuid(), os.getgid()),
+        lambda: os.setxattr({canary!r}, "user.trial", b"x"),
+        lambda: os.truncate({canary!r}, 0),
+        lambda: os.fchmod(os.open({canary!r}, os.O_RDONLY), 0o777),
+        lambda: os.fchmod(os.open({canary!r}, os.O_PATH), 0o777),
+        lambda: os.chmod("/proc/self/fd/%d" % os.open({canary!r}, os.O_PATH), 0o777),
+    ):
+        try:
+            change()
+        except OSError:
+            continue
+        return True
+    return False
+def call_the_kernel():
+    # What no notebook has a use for; each call with arguments that can do no harm.
+    import ctypes, platform
+    libc = ctypes.CDLL(None, use_errno=True)
+    for name, numbers in {refused!r}.items():
+        number = numbers[platform.machine() == "aarch64"]
+        if number is not None:
+            ctypes.set_errno(0)
+            libc.syscall(number, -1, -1, -1, -1, -1, -1)
+            if ctypes.get_errno() not in (1, 38):
+                return name
+    return False
+change_a_file = attempt(change_a_file)
+call_the_kernel = attempt(call_the_kernel)
 read_a_file = attempt(lambda: open({canary!r}).read())
 write_a_file = attempt(lambda: open({canary!r}, "w").write("x"))
 open_a_connection = attempt(connect)
@@ -73,6 +106,8 @@ TRIALS = {
         ("FileNotFoundError", "PermissionError", "OSError"),
         "no file outside can be written",
     ),
+    "change_a_file": (("False",), "no mode, time or owner of a file outside can be changed"),
+    "call_the_kernel": (("False",), "calls to the kernel that no notebook needs are refused"),
     "open_a_connection": (
         ("PermissionError", "OSError", "ConnectionRefusedError"),
         "no connection can be opened",
@@ -213,10 +248,14 @@ def _try_to_get_out(host: Host, course: Course) -> dict[str, bool]:
         canary = folder / "canary.txt"
         canary.write_text("secret")
         canary.chmod(0o666)
+        state = canary.stat()
+        before = (state.st_mode, state.st_mtime_ns, state.st_uid)
         listener.bind(("127.0.0.1", 0))
         listener.listen()
         cell = _CELL.format(
             canary=str(canary),
+            folder=str(folder),
+            refused=seccomp.TRIED if seccomp.build_filter() is not None else {},
             port=listener.getsockname()[1],
             grader=os.getpid(),
             bomb=_TRIAL_BOMB,
@@ -245,7 +284,10 @@ def _try_to_get_out(host: Host, course: Course) -> dict[str, bool]:
         host.close()
         understood = answer["reply"]["understood"]
         untouched = canary.read_text() == "secret"
+        state = canary.stat()
+        unchanged = (state.st_mode, state.st_mtime_ns, state.st_uid) == before
     results = {name: understood.get(name) in expected for name, (expected, _) in TRIALS.items()}
     # What the attempt saw does not count: a file of that name in a private /tmp harms nobody.
     results["write_a_file"] = untouched
+    results["change_a_file"] &= unchanged
     return results

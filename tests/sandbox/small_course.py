@@ -25,7 +25,7 @@ LIMITS = Settings(
 PATIENT = replace(LIMITS, notebook_seconds=60, cell_seconds=30, question_seconds=30)
 
 
-NUMBER = {"kind": "number"}
+NUMBER = {"inside": "autograder.kinds.number.inside.evaluate"}
 
 
 GOOD = [
@@ -35,12 +35,18 @@ GOOD = [
 ]
 
 
-CASE = {"kind": "function", "cases": [{"args": [[1.0, 2.0]]}]}
+CASE = {"inside": "autograder.kinds.function.inside.evaluate", "cases": [{"args": [[1.0, 2.0]]}]}
 
 
 def asked(session: Session, name: str, *arguments: object) -> dict[str, Any]:
     """Evaluate a function for one list of arguments."""
-    return session.evaluate(name, {"kind": "function", "cases": [{"args": list(arguments)}]})
+    return session.evaluate(
+        name,
+        {
+            "inside": "autograder.kinds.function.inside.evaluate",
+            "cases": [{"args": list(arguments)}],
+        },
+    )
 
 
 class Lab:
@@ -68,7 +74,9 @@ def check_good(sandbox: Sandbox) -> None:
     # Patient, because the machine may be busy with other tests.
     with Session(sandbox._take_host, PATIENT, 1) as session:
         report = session.run(GOOD, ["k"])
-        assert report == {"errors": [None] * 3, "responses": {}, "understood": {"k": "74"}}
+        nothing = [None] * 3
+        good = {"errors": nothing, "told": nothing, "responses": {}, "understood": {"k": "74"}}
+        assert report == good
         assert session.evaluate("k", NUMBER) == {"state": "given", "value": 74}
         (outcome,) = session.evaluate("double", CASE)["outcomes"]
         assert outcome["value"].tolist() == [2.0, 4.0]

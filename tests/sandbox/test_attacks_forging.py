@@ -244,7 +244,7 @@ def test_not_a_number_and_infinity_arrive_as_what_they_are(session):
 )
 def test_no_text_of_a_student_is_evaluated(session, text):
     session.run([f"e = {text!r}"], ["e"])
-    probe = {"kind": "expression", "points": {"x": np.ones(3)}}
+    probe = {"inside": "autograder.kinds.expression.inside.evaluate", "points": {"x": np.ones(3)}}
     assert session.evaluate("e", probe) == {"state": "unusable", "reason": "text"}
     assert session.evaluate("e", NUMBER) == {"state": "unusable", "reason": "text"}
 
@@ -253,7 +253,10 @@ def test_an_expression_that_never_ends_costs_its_question(session):
     session.run(["import sympy as sp\ne = sp.Pow(9, sp.Pow(9, sp.Pow(9, 9, evaluate=False), "
                  "evaluate=False), evaluate=False)", "k = 1"], [])  # fmt: skip
     try:
-        reply = session.evaluate("e", {"kind": "expression", "points": {"x": np.ones(3)}})
+        reply = session.evaluate(
+            "e",
+            {"inside": "autograder.kinds.expression.inside.evaluate", "points": {"x": np.ones(3)}},
+        )
         assert reply["state"] in ("raised", "unusable", "given")
     except Stopped as stopped:
         assert stopped.status in ("timeout", "killed")  # noqa: PT017 -- sympy may give up first
@@ -266,6 +269,9 @@ def test_an_expression_that_never_ends_costs_its_question(session):
 def test_changing_an_input_in_place_does_not_reach_the_next_case(session):
     session.run(["def f(x):\n    x[:] = 0\n    return float(x.sum())"], [])
     array = np.ones(3)
-    probe = {"kind": "function", "cases": [{"args": [array]}, {"args": [array]}]}
+    probe = {
+        "inside": "autograder.kinds.function.inside.evaluate",
+        "cases": [{"args": [array]}, {"args": [array]}],
+    }
     session.evaluate("f", probe)
     np.testing.assert_array_equal(array, np.ones(3))

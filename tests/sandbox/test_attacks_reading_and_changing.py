@@ -174,7 +174,7 @@ def test_hidden_inputs_come_after_what_is_understood_was_said(session):
     cells = ["seen = []", "def f(x):\n    seen.append(x)\n    raise ValueError(f'asked {x}')"]
     report = session.run(cells, ["seen"])
     assert report["understood"] == {"seen": "[]"}
-    probe = {"kind": "function", "cases": [{"args": [SECRET]}]}
+    probe = {"inside": "autograder.kinds.function.inside.evaluate", "cases": [{"args": [SECRET]}]}
     reply = session.evaluate("f", probe)
     assert reply == {"state": "given", "outcomes": [{"raised": "ValueError"}]}
 
@@ -182,7 +182,10 @@ def test_hidden_inputs_come_after_what_is_understood_was_said(session):
 def test_an_exceptions_own_name_cannot_carry_a_hidden_input(session):
     cells = ["def f(x):\n    raise type('Asked' + x, (Exception,), {})()"]
     session.run(cells, [])
-    probe = {"kind": "function", "cases": [{"args": [SECRET.replace("-", "_")]}]}
+    probe = {
+        "inside": "autograder.kinds.function.inside.evaluate",
+        "cases": [{"args": [SECRET.replace("-", "_")]}],
+    }
     assert session.evaluate("f", probe)["outcomes"] == [{"raised": "Exception"}]
 
 

@@ -66,7 +66,7 @@ def test_a_question_cannot_change_what_the_next_one_sees(patient_session):
     patient_session.run(
         ["items = []", "def grow():\n    items.append(1)\n    return len(items)"], []
     )
-    probe = {"kind": "function", "cases": [{"args": []}]}
+    probe = {"inside": "autograder.kinds.function.inside.evaluate", "cases": [{"args": []}]}
     for _ in range(2):
         assert patient_session.evaluate("grow", probe)["outcomes"] == [{"value": 1}]
 
@@ -87,7 +87,10 @@ def test_chance_repeats_itself_from_run_to_run(sandbox):
 def test_arrays_and_arguments_cross_as_they_are(patient_session):
     patient_session.run(["def same(*a, **k): return [*a, k]"], [])
     array = np.arange(6.0).reshape(2, 3)
-    probe = {"kind": "function", "cases": [{"args": [array, 1, "é"], "kwargs": {"w": None}}]}
+    probe = {
+        "inside": "autograder.kinds.function.inside.evaluate",
+        "cases": [{"args": [array, 1, "é"], "kwargs": {"w": None}}],
+    }
     (outcome,) = patient_session.evaluate("same", probe)["outcomes"]
     returned = outcome["value"]
     np.testing.assert_array_equal(returned[0], array)
@@ -122,7 +125,9 @@ def test_a_question_whose_cell_was_stopped_says_so(session):
 def test_a_loop_in_one_function_costs_that_question(session):
     session.run(["def hang():\n    while True: pass", *GOOD], [])
     with pytest.raises(Stopped) as stopped:
-        session.evaluate("hang", {"kind": "function", "cases": [{"args": []}]})
+        session.evaluate(
+            "hang", {"inside": "autograder.kinds.function.inside.evaluate", "cases": [{"args": []}]}
+        )
     assert stopped.value.status == "timeout"
     assert session.evaluate("k", NUMBER) == {"state": "given", "value": 74}
 
@@ -130,7 +135,10 @@ def test_a_loop_in_one_function_costs_that_question(session):
 def test_a_crash_in_one_function_costs_that_question_and_is_named(session):
     session.run(["import ctypes\ndef crash():\n    ctypes.string_at(0)", *GOOD], [])
     with pytest.raises(Stopped) as stopped:
-        session.evaluate("crash", {"kind": "function", "cases": [{"args": []}]})
+        session.evaluate(
+            "crash",
+            {"inside": "autograder.kinds.function.inside.evaluate", "cases": [{"args": []}]},
+        )
     assert (stopped.value.status, stopped.value.why) == ("killed", "it crashed (SIGSEGV)")
     assert session.evaluate("k", NUMBER) == {"state": "given", "value": 74}
 
@@ -141,7 +149,10 @@ def test_after_the_submissions_time_nothing_is_begun_any_more(sandbox):
     with sandbox.session(began + 1.5) as session:
         assert session.run([loop, "k = 1"], ["k"])["understood"] == {"k": "1"}
         with pytest.raises(Stopped):  # cut off by that time, not by its own
-            session.evaluate("hang", {"kind": "function", "cases": [{"args": []}]})
+            session.evaluate(
+                "hang",
+                {"inside": "autograder.kinds.function.inside.evaluate", "cases": [{"args": []}]},
+            )
         for _ in range(20):
             with pytest.raises(Stopped) as stopped:
                 session.evaluate("k", NUMBER)

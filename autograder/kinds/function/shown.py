@@ -8,11 +8,15 @@ from typing import Any
 
 import numpy as np
 
+from autograder.exchange.sizes import BYTES_A_LIST, BYTES_A_NUMBER, count_parts, unpacked_bytes
+
+_MOST_NUMBERS = 400
+
 
 def shown_outcome(cases: Sequence[dict[str, Any]], outcomes: Sequence[Any]) -> Any:
     """The value for the first case, if that is public and the value is a few numbers.
 
-    Only the first: `Probe.opening` asks it before anything hidden has been sent, so that there is
+    Only the first: `Drawn.opening` asks it before anything hidden has been sent, so that there is
     nothing yet that its value could carry out.
     """
     if not cases or not cases[0].get("public") or not isinstance(outcomes[0], dict):
@@ -20,14 +24,19 @@ def shown_outcome(cases: Sequence[dict[str, Any]], outcomes: Sequence[Any]) -> A
     return shown_value(outcomes[0].get("value"))
 
 
-def shown_value(value: Any, limit: int = 400) -> Any:
-    """A returned value as JSON data of at most ``limit`` numbers; None if it is anything else."""
+def shown_value(value: Any, limit: int = _MOST_NUMBERS) -> Any:
+    """A returned value as JSON data of at most ``limit`` numbers, in few lists.
+
+    None if it is anything else.
+    """
     count = 0
 
     def plain(entry: Any, depth: int) -> Any:
         nonlocal count
         if isinstance(entry, np.ndarray):
-            entry = entry.tolist() if entry.size <= limit else None
+            # Rows without columns are lists as well, although they hold no number.
+            few = unpacked_bytes(entry.shape, 8) <= limit * (BYTES_A_NUMBER + BYTES_A_LIST)
+            entry = entry.tolist() if few else None
         if isinstance(entry, list | tuple) and depth < 4:
             return [plain(inner, depth + 1) for inner in entry]
         if isinstance(entry, bool | int | float) and math.isfinite(entry) and abs(entry) < 1e12:
@@ -35,8 +44,10 @@ def shown_value(value: Any, limit: int = 400) -> Any:
             return entry
         raise ValueError
 
+    if count_parts(value, 3 * limit) > 3 * limit:
+        return None
     try:
         found = plain(value, 0)
     except (ValueError, OverflowError):
         return None
-    return found if count <= limit else None
+    return found if count <= limit and count_parts(found, 3 * limit) <= 3 * limit else None

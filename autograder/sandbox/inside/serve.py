@@ -4,11 +4,12 @@ It obeys the messages of one channel until that closes:
 
 - ``{"do": "run", "nonce", "cells", "names", "skip", "cell_seconds", "seconds"}`` runs a notebook.
   Before each cell ``{"nonce", "cell": index}`` goes back, at the end ``{"nonce", "reply": ...}``.
-- ``{"do": "evaluate", "nonce", "name", "probe", "seconds"}`` evaluates one response in a fork, so
-  that a crash or a hang costs one question and no question changes the variables that the next one
-  sees. ``{"nonce", "reply": ...}`` or, if the fork ended without one, ``{"nonce", "ended_by":
-  signal}`` goes back. Files and processes that a response leaves stay until the notebook ends: this
-  process is the student's too and may end none.
+- ``{"do": "evaluate", "nonce", "name", "probe", "seconds", "most"}`` evaluates one response in a
+  fork, so that a crash or a hang costs one question and no question changes the variables that the
+  next one sees. ``{"nonce", "reply": ...}`` or, if the fork ended without one, ``{"nonce",
+  "ended_by": signal}`` goes back; a reply of more than ``most`` bytes is not sent. Files and
+  processes that a response leaves stay until the notebook ends: this process is the student's too
+  and may end none.
 
 The nonce ties an answer to its question: what student code may have written into the channel before
 is passed over by the grader.
@@ -85,7 +86,7 @@ def _evaluate(channel: Channel, notebook: Notebook, message: dict[str, Any]) -> 
         except CellTimeout:
             channel.send({"nonce": nonce, "ended_by": signal.SIGALRM})
         else:
-            _answer(channel, nonce, reply)
+            _answer(channel, nonce, reply, message.get("most"))
         return
     child = os.fork()
     if child == 0:
@@ -95,7 +96,7 @@ def _evaluate(channel: Channel, notebook: Notebook, message: dict[str, Any]) -> 
             signal.setitimer(signal.ITIMER_REAL, message["seconds"])
             reply = notebook.evaluate(message["name"], message["probe"])
             signal.setitimer(signal.ITIMER_REAL, 0)
-            _answer(channel, nonce, reply)
+            _answer(channel, nonce, reply, message.get("most"))
             os._exit(_ANSWERED)
         finally:
             os._exit(1)
@@ -105,9 +106,11 @@ def _evaluate(channel: Channel, notebook: Notebook, message: dict[str, Any]) -> 
         channel.send({"nonce": nonce, "ended_by": ended_by})
 
 
-def _answer(channel: Channel, nonce: str, reply: dict[str, Any]) -> None:
+def _answer(channel: Channel, nonce: str, reply: dict[str, Any], most: int | None = None) -> None:
     try:
-        channel.send({"nonce": nonce, "reply": reply})
+        channel.send({"nonce": nonce, "reply": reply}, most=most)
+    except wire.TooLarge:
+        channel.send({"nonce": nonce, "reply": {"state": "unusable", "reason": "too large"}})
     except wire.WireError:
         channel.send({"nonce": nonce, "reply": {"state": "unusable", "reason": "not plain"}})
 

@@ -95,7 +95,11 @@ class Zygote:
         self._notebook = warm(with_course=True)
         gc.freeze()  # the collector would write into every page and so copy it in each fork
         self._filter = (
-            seccomp.build_filter(refuse_thread_signals=not landlock.confines_signals())
+            seccomp.build_filter(
+                refuse_thread_signals=not landlock.confines_signals(),
+                # Files outside can be named here, and Landlock governs neither.
+                refuse_modes_and_times=not how.alone,
+            )
             if how.use_seccomp
             else None
         )

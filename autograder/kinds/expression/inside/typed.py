@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import inspect
+from collections.abc import Callable
 from typing import Any
 
 from autograder.errors import UsageError
@@ -24,6 +26,14 @@ def formula_of(id: str, text: str) -> Any:
         return read_expression(question, text)
     except UsageError:
         return ...
+
+
+def on_symbols(function: Callable[..., Any]) -> Any:
+    """What a function of the course makes of the symbols that its parameters are called after."""
+    import sympy as sp
+
+    names = inspect.signature(function).parameters
+    return function(**{name: sp.Symbol(name, real=True) for name in names})
 
 
 def read_expression(question: Expression, text: str) -> Any:

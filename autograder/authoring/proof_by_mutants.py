@@ -1,0 +1,93 @@
+"""What the mutants and the variants say about a course, in sentences."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+
+from autograder.authoring.mutation import Findings, Survivor, has_variants, try_all
+from autograder.course import Course
+from autograder.course.questions import Question
+from autograder.kinds.registry import kind_of
+from autograder.marking.marker import Marker
+
+
+def prove_by_mutants(
+    course: Course, report: Callable[[str], None] = lambda step: None
+) -> list[str]:
+    """Mutants that keep their credit, right work that loses some, declarations that do not fit.
+
+    Raises:
+        CourseError: if the key or a variant cannot be loaded.
+    """
+    report("mutants")
+    problems: list[str] = []
+    for id, findings in try_all(course, report).items():
+        question = course.question(id)
+        problems += [f"{id}: {problem}" for problem in _mutants(course, question, findings)]
+        problems += [f"{id}: {problem}" for problem in _variants(course, question, findings)]
+    return problems
+
+
+def untested_promises(course: Course, marker: Marker) -> Iterator[str]:
+    """Promises to raise that no case asks for."""
+    for id, promise, cases in _promises(course, marker):
+        if not cases:
+            yield f"{id}: no case tests the promise “{promise}”; add one, or do not promise it."
+
+
+def kept_promises(course: Course) -> Iterator[str]:
+    """Each promise to raise, with the cases that test it."""
+    for id, promise, cases in _promises(course, Marker(course, 1)):
+        tests = ", ".join(f"“{case}”" for case in cases)
+        yield f"{id} promises {promise}: tested by {tests or 'nothing'}"
+
+
+def _promises(course: Course, marker: Marker) -> Iterator[tuple[str, str, list[str]]]:
+    for id, answer in course.key.items():
+        kind = kind_of(course.question(id))
+        for promise, cases in kind.promises(answer, course.root, marker.drawn(id)):
+            yield id, promise, cases
+
+
+def _mutants(course: Course, question: Question, findings: Findings) -> Iterator[str]:
+    declared = {entry.mutant: entry for entry in course.key[question.id].equivalent}
+    for survivor in findings.survivors:
+        if not any(_means(name, survivor.mutant.name) for name in declared):
+            yield _told(survivor)
+    surviving = [survivor.mutant.name for survivor in findings.survivors]
+    for name in declared:
+        if any(_means(name, other) for other in surviving):
+            continue
+        if any(_means(name, other) for other in findings.names):
+            yield f"the mutant {name!r} is told apart by the cases; remove it from equivalent."
+        else:
+            yield f"there is no mutant {name!r}; correct or remove it in equivalent."
+
+
+def _means(declared: str, name: str) -> bool:
+    """Whether a declaration is about a mutant; a star at its end stands for any rest."""
+    if declared.endswith("*"):
+        return name.startswith(declared[:-1])
+    return name == declared
+
+
+def _told(survivor: Survivor) -> str:
+    mutant = survivor.mutant
+    rows = "\n".join(f"    {row}" for row in mutant.diff.splitlines())
+    return (
+        f"a mutant earns everything ({mutant.operator}): {mutant.name}\n{rows}\n"
+        f"    It passed {', '.join(survivor.passed)}. Add a case that tells it from the right "
+        "response, or declare it in equivalent, with the reason."
+    )
+
+
+def _variants(course: Course, question: Question, findings: Findings) -> Iterator[str]:
+    for name, problem in findings.variants.items():
+        if problem:
+            yield f"the variant {name} must earn everything, but {problem}"
+    fewest = kind_of(question).fewest_variants
+    if has_variants(course, question.chapter) and len(findings.variants) < fewest:
+        yield (
+            f"solutions/variants/{question.chapter}.py has {len(findings.variants)} functions "
+            f"called {question.name}__STYLE; write at least {fewest}."
+        )

@@ -1,0 +1,192 @@
+"""Mutants of a function question's reference, marked as a student's function would be."""
+
+from __future__ import annotations
+
+import ast
+import math
+from collections.abc import Callable, Iterator, Sequence
+from pathlib import Path
+from types import FunctionType
+from typing import Any
+
+import numpy as np
+
+from autograder.course.loading import load_object
+from autograder.kinds.function.answer import FunctionAnswer
+from autograder.kinds.function.inside.evaluate import evaluate
+from autograder.kinds.function.marking import Outcome, agrees, close
+from autograder.marking.mutants.clones import reachable, tree_of, with_changed
+from autograder.marking.mutants.edits import begin_with, described, edited
+from autograder.marking.mutants.mutant import Mutant, Trial
+
+Call = Callable[..., Any]
+
+
+class FunctionTrial(Trial):
+    """The mutants of a reference and of the helpers it calls, but not of other questions' work.
+
+    ``proven`` are the references of the course: one that another calls is proven by its own
+    question.
+    """
+
+    def __init__(
+        self,
+        answer: FunctionAnswer,
+        proven: Sequence[str],
+        root: Path,
+        draw: Callable[[int], np.random.Generator],
+    ) -> None:
+        self._draw_cases = load_object(answer.cases, root)
+        self._compare = load_object(answer.compare, root) if answer.compare else close
+        self._draw = draw
+        self._reference: Call = load_object(answer.reference, root)
+        self._seeds: dict[int, list[dict[str, Any]]] = {}
+        self._right: dict[tuple[int, int], Outcome] = {}
+        self._telling: list[int] = []  # cases that told a mutant, the last one first
+        others = {load_object(name, root) for name in proven} - {self._reference}
+        made = list(_mutants(self._reference, others, self._cases_of(0), root))
+        self.mutants = [mutant for mutant, _ in made]
+        self.calls = [call for _, call in made]
+
+    def passes(self, index: int, seed: int) -> bool:
+        cases = self._cases_of(seed)
+        order = dict.fromkeys([*(i for i in self._telling if i < len(cases)), *range(len(cases))])
+        for case in order:
+            outcome = outcome_of(self.calls[index], cases[case])
+            if not agrees(self._compare, cases[case], self.right(seed, case), outcome):
+                if case in self._telling:
+                    self._telling.remove(case)
+                self._telling.insert(0, case)
+                return False
+        return True
+
+    def cases(self, seed: int) -> Sequence[str]:
+        return list(dict.fromkeys(case["name"] for case in self._cases_of(seed)))
+
+    def right(self, seed: int, case: int) -> Outcome:
+        """What the reference makes of a case."""
+        if (seed, case) not in self._right:
+            self._right[seed, case] = outcome_of(self._reference, self._cases_of(seed)[case])
+        return self._right[seed, case]
+
+    def _cases_of(self, seed: int) -> list[dict[str, Any]]:
+        if seed not in self._seeds:
+            self._seeds[seed] = self._draw_cases(self._draw(seed))
+        return self._seeds[seed]
+
+
+def outcome_of(call: Call, case: dict[str, Any]) -> Outcome:
+    """What a function of the course makes of one case."""
+    with np.errstate(all="ignore"):
+        try:
+            outcome: Outcome = evaluate(call, {"cases": [case]})["outcomes"][0]
+            return outcome
+        except NotImplementedError:
+            return {"raised": "NotImplementedError"}
+
+
+def _mutants(
+    reference: Call, others: set[Call], cases: list[dict[str, Any]], root: Path
+) -> Iterator[tuple[Mutant, Call]]:
+    if not isinstance(reference, FunctionType):
+        return
+    every = reachable(reference, root)
+    for function in every:
+        if function in others:
+            continue
+        tree = tree_of(function)
+        prefix = "" if function is reference else f"{function.__name__}: "
+        # What a helper refuses is the helper's promise, not this question's.
+        trees = list(edited(tree, prefix, guards=function is reference))
+        if function is reference:
+            trees += _with_arguments(tree, cases[0])
+        for mutant, changed in trees:
+            more = {"_fixed_rng": lambda: np.random.default_rng(0), "_scaled": _scaled}
+            yield mutant, with_changed(reference, every, function, changed, more)
+    arguments = dict(zip(_names(tree_of(reference)), cases[0]["args"], strict=False))
+    for name, value in {**arguments, **cases[0].get("kwargs", {})}.items():
+        if isinstance(value, np.ndarray | list):
+            text = f"{name} changed in place"
+            diff = f"+{name} is not the same afterwards"
+            yield Mutant(text, "input changed in place", diff), _changes(reference, name)
+
+
+def _with_arguments(
+    tree: ast.FunctionDef, public: dict[str, Any]
+) -> Iterator[tuple[Mutant, ast.FunctionDef]]:
+    """An argument ignored, or put to use otherwise than asked."""
+    names = _names(tree)
+    given = {**dict(zip(names, public["args"], strict=False)), **public.get("kwargs", {})}
+    defaults = tree.args.defaults
+    optional = names[len(names) - len(defaults) :] if defaults else []
+    statements: list[tuple[str, str]] = [
+        ("argument ignored", f"{name} = {ast.unparse(default)}")
+        for name, default in zip(optional, defaults, strict=False)
+    ]
+    for name, value in given.items():
+        if isinstance(value, dict) and value.keys() == {"rng"}:
+            statements.append(("random numbers that are always the same", f"{name} = _fixed_rng()"))
+        if isinstance(value, bool | str):
+            statements.append(("argument ignored", f"{name} = {value!r}"))
+        elif isinstance(value, int | float) and math.isfinite(value):
+            statements.append(("argument ignored", f"{name} = {value!r}"))
+            if isinstance(value, int):
+                statements += [
+                    ("argument one more", f"{name} = {name} + 1"),
+                    ("argument one less", f"{name} = {name} - 1"),
+                ]
+        if _is_number_like(value):
+            statements += [
+                (f"argument {words}", f"{name} = _scaled({name}, {how!r})")
+                for words, how in (
+                    ("doubled", "2*"),
+                    ("halved", "/2"),
+                    ("squared", "**2"),
+                    ("rooted", "sqrt"),
+                )
+            ]
+    for operator, statement in statements:
+        changed = begin_with(tree, statement)
+        yield described(f"begin with {statement}", operator, tree, changed, tree.lineno), changed
+
+
+def _names(tree: ast.FunctionDef) -> list[str]:
+    return [entry.arg for entry in (*tree.args.posonlyargs, *tree.args.args)]
+
+
+def _is_number_like(value: Any) -> bool:
+    if isinstance(value, np.ndarray):
+        return value.dtype.kind == "f" and value.size > 0
+    return isinstance(value, int | float) and not isinstance(value, bool)
+
+
+def _scaled(value: Any, how: str) -> Any:
+    """An argument, changed; whole numbers stay whole, and nothing stays nothing."""
+    if value is None:
+        return None
+    whole = isinstance(value, int | np.integer)
+    with np.errstate(all="ignore"):
+        if how == "2*":
+            return 2 * value
+        if how == "/2":
+            return value // 2 if whole else value / 2
+        if how == "**2":
+            return value**2
+        root = np.sqrt(np.abs(value))
+    return int(root) if whole else root
+
+
+def _changes(reference: Call, name: str) -> Call:
+    """The reference, which afterwards changes one of its inputs."""
+    names = _names(tree_of(reference))  # type: ignore[arg-type]
+
+    def changed(*args: Any, **kwargs: Any) -> Any:
+        result = reference(*args, **kwargs)
+        value = {**dict(zip(names, args, strict=False)), **kwargs}.get(name)
+        if isinstance(value, np.ndarray) and value.size and value.flags.writeable:
+            value.flat[0] += 1
+        elif isinstance(value, list) and value:
+            value.append(value[0])
+        return result
+
+    return changed
