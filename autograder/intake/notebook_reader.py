@@ -14,6 +14,7 @@ import sys
 from dataclasses import dataclass, field
 from typing import Any
 
+SUBMITTED = "submitted.txt"  # when `submit()` packed it: a hint, students can change it
 RECEIPT = "application/vnd.autograder.response+json"
 LARGE = 4 * 2**20  # bytes; JSON of this size needs at most about 150 MB while it is read
 MAX_CELLS = 2000
