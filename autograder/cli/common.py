@@ -10,9 +10,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from autograder.course import Course, load_course
+from autograder.errors import UsageError
 
 if TYPE_CHECKING:
     from autograder.gradebook import Gradebook
+    from autograder.grading.dask_address import ClusterAddress
     from autograder.intake.class_list import ClassList
 
 Commands = Any  # argparse has no public name for what add_subparsers returns
@@ -54,6 +56,7 @@ def add_grading(command: argparse.ArgumentParser) -> None:
     )
     command.add_argument(
         "--cluster",
+        type=_cluster,
         metavar="ADDRESS",
         help="grade on a Dask cluster: a scheduler such as tcp://lab-1:8786, or local:N workers",
     )
@@ -165,6 +168,15 @@ def _user() -> str:
         return getpass.getuser()
     except (OSError, KeyError, ImportError):  # no such user in the system, as in a container
         return ""
+
+
+def _cluster(text: str) -> ClusterAddress:
+    from autograder.grading.dask_address import parse_address
+
+    try:
+        return parse_address(text)
+    except UsageError as error:
+        raise argparse.ArgumentTypeError(str(error)) from None
 
 
 def _positive(text: str) -> int:

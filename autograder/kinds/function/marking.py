@@ -13,7 +13,7 @@ from autograder.exchange.reasons import REASONS
 from autograder.kinds.function.answer import FunctionAlternative, FunctionAnswer
 from autograder.kinds.function.question import Function
 from autograder.kinds.function.shown import shown_outcome
-from autograder.marking.mark import Mark, Part, status_for
+from autograder.kinds.mark import Mark, Part, status_for
 
 Outcome = dict[str, Any]
 Compare = Callable[[dict[str, Any], Any, Any], bool]

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
+from autograder.kinds.mark import Mark, status_for
 from autograder.kinds.number.answer import NumberAnswer
 from autograder.kinds.number.question import Number
-from autograder.marking.mark import Mark, status_for
 
 
 def mark_number(
