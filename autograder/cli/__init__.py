@@ -24,6 +24,7 @@ from autograder.cli import (
     export,
     feedback,
     grade,
+    intake,
     note,
     override,
     regrade,
@@ -37,7 +38,7 @@ from autograder.errors import AutograderError, UsageError
 __all__ = ["BROKEN", "DONE", "WRONG_USAGE", "main"]
 
 _COMMANDS = (
-    *(grade, regrade, show, override, note),
+    *(intake, grade, regrade, show, override, note),
     *(adjust, export, feedback, similar, release),
     *(check, build, doctor),
 )

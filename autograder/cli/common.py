@@ -10,9 +10,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from autograder.course import Course, load_course
+from autograder.errors import UsageError
 
 if TYPE_CHECKING:
     from autograder.gradebook import Gradebook
+    from autograder.grading.dask_address import ClusterAddress
     from autograder.intake.class_list import ClassList
 
 Commands = Any  # argparse has no public name for what add_subparsers returns
@@ -54,6 +56,7 @@ def add_grading(command: argparse.ArgumentParser) -> None:
     )
     command.add_argument(
         "--cluster",
+        type=_cluster,
         metavar="ADDRESS",
         help="grade on a Dask cluster: a scheduler such as tcp://lab-1:8786, or local:N workers",
     )
@@ -77,6 +80,7 @@ def add_grading(command: argparse.ArgumentParser) -> None:
         help="whether the feedback for students explains the answers (default: as last time; no)",
     )
     add_class_list(command)
+    add_times(command)
     add_json(command)
 
 
@@ -94,29 +98,64 @@ def add_class_list(command: argparse.ArgumentParser) -> None:
     """Who is in the class."""
     command.add_argument(
         "--class-list",
+        action="append",
         type=Path,
         metavar="FILE",
-        help="class list and late policy (default: the last one given, or class.toml in --out)",
+        help="a class list as Canvas, Moodle, Gradescope or GitHub Classroom exports it, or TOML "
+        "with the late policy (repeatable; default: the last ones given, or class.toml in --out)",
     )
 
 
-def find_class_list(parsed: argparse.Namespace, book: Gradebook) -> ClassList:
-    """The class list that is given, was given before, or lies beside the gradebook.
+def add_layout(command: argparse.ArgumentParser) -> None:
+    """How a download is read."""
+    from autograder.intake.find import LAYOUT_NAMES
 
-    Without one, an empty list: nobody is late, and nobody has a number.
+    command.add_argument(
+        "--layout",
+        choices=LAYOUT_NAMES,
+        metavar="NAME",
+        help=f"how the download is laid out: {', '.join(LAYOUT_NAMES)} (default: by its marks)",
+    )
+
+
+def add_times(command: argparse.ArgumentParser) -> None:
+    """Where times come from, and whether anything that needs a person is an error."""
+    command.add_argument(
+        "--times",
+        type=Path,
+        metavar="FILE",
+        help="a table of students and times (default: times.csv beside the submissions)",
+    )
+    command.add_argument(
+        "--trust-times",
+        action=argparse.BooleanOptionalAction,
+        help="take the times as they are, those of the files too where nothing else says when "
+        "(default: as last time; no)",
+    )
+    command.add_argument("--strict", action="store_true", help="exit 1 if something needs a person")
+
+
+def find_class_list(parsed: argparse.Namespace, book: Gradebook | None) -> ClassList:
+    """The class lists that are given, were given before, or lie beside the gradebook.
+
+    ``students.toml`` in ``--out`` or beside a class list says whose a submission is. Without a
+    list, an empty one: nobody is late, and nobody has a number.
     """
-    from autograder.intake.class_list import ClassList, read_class_list
+    from autograder.intake.class_list import read_class_lists
 
-    if parsed.class_list is not None:
-        found = read_class_list(parsed.class_list)
-        if not getattr(parsed, "dry_run", False):
-            book.set("class_list", str(parsed.class_list.resolve()))
-        return found
-    before = book.setting("class_list")
-    if before is not None:
-        return read_class_list(Path(before))
+    given: list[Path] = list(parsed.class_list or ())
+    if given:
+        if book is not None and not getattr(parsed, "dry_run", False):
+            book.set("class_list", json.dumps([str(path.resolve()) for path in given]))
+    elif book is not None:
+        before = book.setting("class_list") or "[]"
+        given = [Path(path) for path in (json.loads(before) if before[:1] == "[" else [before])]
     beside: Path = parsed.out / "class.toml"
-    return read_class_list(beside) if beside.exists() else ClassList()
+    if beside.exists() and not any(path.suffix.lower() == ".toml" for path in given):
+        given.append(beside)
+    places = [parsed.out, *(path.parent for path in given)]
+    settled = next((p / "students.toml" for p in places if (p / "students.toml").exists()), None)
+    return read_class_lists(given, settled)
 
 
 def print_json(value: Any) -> None:
@@ -129,6 +168,15 @@ def _user() -> str:
         return getpass.getuser()
     except (OSError, KeyError, ImportError):  # no such user in the system, as in a container
         return ""
+
+
+def _cluster(text: str) -> ClusterAddress:
+    from autograder.grading.dask_address import parse_address
+
+    try:
+        return parse_address(text)
+    except UsageError as error:
+        raise argparse.ArgumentTypeError(str(error)) from None
 
 
 def _positive(text: str) -> int:

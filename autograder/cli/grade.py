@@ -7,7 +7,14 @@ from pathlib import Path
 
 from rich.console import Console
 
-from autograder.cli.common import Commands, add_grading, gradebook_path, load
+from autograder.cli.common import (
+    Commands,
+    add_grading,
+    add_layout,
+    find_class_list,
+    gradebook_path,
+    load,
+)
 from autograder.errors import UsageError
 
 
@@ -22,6 +29,7 @@ def add(commands: Commands) -> None:
         help="a zip, a notebook, a folder of one student, or a folder of submissions",
     )
     grade.add_argument("--regrade", action="store_true", help="mark again what was marked before")
+    add_layout(grade)
     add_grading(grade)
     grade.set_defaults(run=run)
 
@@ -29,16 +37,14 @@ def add(commands: Commands) -> None:
 def run(parsed: argparse.Namespace, console: Console) -> int:
     """Grade what is at the paths; what was graded before with the same key is not run again."""
     from autograder.cli.grading_run import grade_and_report
+    from autograder.cli.taking_in import take_in_paths
     from autograder.gradebook import Gradebook
-    from autograder.intake.submissions import find_submissions
 
     course = load(parsed)
     assert course.key  # a broken key is said before anything runs
-    for path in parsed.paths:
+    for path in parsed.paths:  # before a gradebook is begun for nothing
         if not path.exists():
             raise UsageError(f"There is nothing at {path}; name a file or folder that exists.")
-    submissions = find_submissions(parsed.paths, course.settings)
-    if not submissions:
-        raise UsageError(f"There are no submissions in {', '.join(map(str, parsed.paths))}.")
     with Gradebook(gradebook_path(parsed), create=not parsed.dry_run) as book:
-        return grade_and_report(parsed, console, course, book, submissions, parsed.regrade)
+        summary = take_in_paths(parsed, course, find_class_list(parsed, book), book)
+        return grade_and_report(parsed, console, course, book, summary, parsed.regrade)

@@ -5,24 +5,26 @@ from __future__ import annotations
 import argparse
 import secrets
 import time
-from functools import partial
+from collections.abc import Callable
+from dataclasses import replace
 from importlib.util import find_spec
+from pathlib import Path
 
 from rich.console import Console
 
-from autograder.cli.common import find_class_list, print_json
-from autograder.cli.status import DONE
+from autograder.cli.common import print_json
+from autograder.cli.status import BROKEN, DONE
 from autograder.course import Course
 from autograder.errors import CourseError
 from autograder.gradebook import Gradebook, Record, Run, view_class
 from autograder.grading.changes import Change, changes
-from autograder.grading.dask_address import parse_address
 from autograder.grading.graded import Graded
 from autograder.grading.spread import Spread
 from autograder.grading.threads import Threads
 from autograder.grading.whole_class import grade_class
-from autograder.intake.class_list import handed_in_at
 from autograder.intake.submissions import Submission
+from autograder.intake.summary import Summary
+from autograder.intake.times import changed_since, snapshot
 from autograder.marking.marker import Marker
 from autograder.reports.machine import change_fields, record_fields
 from autograder.reports.pictures import Pictures
@@ -38,15 +40,15 @@ def grade_and_report(
     console: Console,
     course: Course,
     book: Gradebook,
-    submissions: list[Submission],
+    summary: Summary,
     regrade: bool,
 ) -> int:
     """Grade, show what changed, and (unless it is a dry run) keep it and write the reports."""
     # What is broken is said before anything runs.
-    find_class_list(parsed, book)
+    class_list = summary.class_list
+    submissions = [row.submission for row in summary.rows]
     Pictures(course)
     _require_packages(course)
-    address = None if parsed.cluster is None else parse_address(parsed.cluster)
     questions = frozenset(course.question(id).id for id in parsed.question or ()) or None
     before = {record.student: record for record in book.records()}
     isolation: Isolation = "none" if parsed.no_sandbox else "auto"
@@ -54,10 +56,11 @@ def grade_and_report(
     marker = Marker(course, run.seed)
     known = None
     if questions is None and not parsed.dry_run:
-        known = partial(book.find, run=run, questions=course.questions.keys())
+        known = _known(book, run, course, submissions)
     graded: list[Graded] = []
     if parsed.no_sandbox:
         warn("Student code runs with your own rights (--no-sandbox); every report says so.")
+    handed_in = snapshot([piece.path for entry in submissions for piece in entry.pieces])
     began = time.monotonic()
     with progress_bar() as progress:
         task = progress.add_task("", total=len(submissions))
@@ -71,19 +74,20 @@ def grade_and_report(
             progress.update(task, advance=1, description=said)
 
         spread: Spread
-        if address is None:
+        if parsed.cluster is None:
             jobs = min(parsed.jobs, len(submissions))
             spread = Threads(marker, jobs, questions, isolation)
         else:
             from autograder.grading.dask_cluster import DaskCluster
 
-            spread = DaskCluster(marker, address, questions, isolation, warn)
+            spread = DaskCluster(marker, parsed.cluster, questions, isolation, warn)
         with spread:
             try:
                 grade_class(submissions, course, spread, done, questions, known)
             finally:
                 if spread.isolation and not parsed.dry_run:
                     run = book.note_isolation(run, spread.isolation)
+    _look_again(summary, graded, handed_in)
     changed = changes(before, graded)
     if parsed.dry_run:
         _tell_dry_run(parsed, console, before, changed, len(graded))
@@ -92,22 +96,14 @@ def grade_and_report(
     if parsed.explanations is not None:
         book.set("explanations", "yes" if parsed.explanations else "no")
     students = {submission.student for submission in submissions}
-    class_list = find_class_list(parsed, book)
-    book.set_lateness(
-        {
-            submission.student: class_list.lateness(
-                submission.student, handed_in_at(submission.path)
-            )
-            for submission in submissions
-        }
-    )
+    book.set_lateness({row.submission.student: row.lateness() for row in summary.rows})
+    view = view_class(course, book, class_list)
+    summary.missing = tuple(view.missing)
+    book.set("intake", summary.sentence())
     options = Options(parsed.out, students, class_list)
     written = write_reports(course, book, options, console)
-    records = [
-        record
-        for record in view_class(course, book, class_list).records
-        if record.student in students
-    ]
+    ended = BROKEN if parsed.strict and summary.needs_person else DONE
+    records = [record for record in view.records if record.student in students]
     if parsed.json:
         print_json(
             {
@@ -115,9 +111,12 @@ def grade_and_report(
                 "run": {"id": run.id, "seed": run.seed, "isolation": run.isolation},
                 "students": [record_fields(course, record) for record in records],
                 "changed": [change_fields(change) for change in changed],
+                "intake": summary.to_dict(),
             }
         )
-        return DONE
+        return ended
+    for remark in summary.remarks():
+        warn(remark)
     if console.is_terminal:
         print_table(console, course, records)
     if changed and console.is_terminal:
@@ -125,8 +124,38 @@ def grade_and_report(
     elif changed:
         students = {change.student for change in changed}
         console.print(f"{len(changed)} marks of {len(students)} students are others than before.")
-    console.print(f"{len(submissions)} graded; {written}.", soft_wrap=True, markup=False)
-    return DONE
+    said = f" (read as {'; '.join(summary.rules)})" if summary.rules else ""
+    console.print(f"{summary.sentence()}{said}; {written}.", soft_wrap=True, markup=False)
+    return ended
+
+
+def _known(
+    book: Gradebook, run: Run, course: Course, submissions: list[Submission]
+) -> Callable[[str, str], Graded | None]:
+    """What was graded before, with where it comes from now."""
+    by_student = {submission.student: submission for submission in submissions}
+
+    def known(student: str, fingerprint: str) -> Graded | None:
+        found = book.find(student, fingerprint, run, course.questions.keys())
+        return None if found is None else replace(found, submission=by_student[student])
+
+    return known
+
+
+def _look_again(
+    summary: Summary, graded: list[Graded], handed_in: dict[Path, tuple[int, int]]
+) -> None:
+    """After the run: what could not be read, and which files are no longer as they were."""
+    summary.unreadable = frozenset(
+        entry.submission.student for entry in graded if entry.status == "unreadable"
+    )
+    altered = changed_since(handed_in)
+    if altered:
+        named = ", ".join(str(path) for path in altered[:5])
+        summary.warnings.append(
+            f"{len(altered)} files changed while they were graded ({named}); what was handed in "
+            "was read before or after that. Look at them, and grade again."
+        )
 
 
 def _require_packages(course: Course) -> None:

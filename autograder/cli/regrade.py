@@ -25,6 +25,7 @@ def add(commands: Commands) -> None:
 def run(parsed: argparse.Namespace, console: Console) -> int:
     """Grade again what the gradebook knows; work that has gone keeps its marks, and is named."""
     from autograder.cli.grading_run import grade_and_report
+    from autograder.cli.taking_in import settle
     from autograder.gradebook import Gradebook, find_record
     from autograder.gradebook.view import with_people
     from autograder.reports.terminal import warn
@@ -32,7 +33,8 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
     course = load(parsed)
     assert course.key  # a broken key is said before anything runs
     with Gradebook(gradebook_path(parsed), create=False) as book:
-        records, _ = with_people(book.records(), find_class_list(parsed, book))
+        class_list = find_class_list(parsed, book)
+        records, _ = with_people(book.records(), class_list)
         chosen = (
             [find_record(records, student) for student in parsed.students]
             if parsed.students
@@ -44,9 +46,10 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
                     f"The work of {record.name} is no longer at "
                     f"{record.graded.submission.path}; its marks stay as they are."
                 )
-        submissions = [
+        remaining = [
             record.graded.submission for record in chosen if record.graded.submission.path.exists()
         ]
-        if not submissions:
+        if not remaining:
             raise UsageError("There is nothing to grade again; run `autograder grade PATH`.")
-        return grade_and_report(parsed, console, course, book, submissions, regrade=True)
+        summary = settle(parsed, class_list, remaining, book)
+        return grade_and_report(parsed, console, course, book, summary, regrade=True)

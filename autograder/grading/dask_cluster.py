@@ -19,7 +19,7 @@ from autograder.grading.crossing import Broken, pack_order, unpack_result
 from autograder.grading.dask_address import ClusterAddress
 from autograder.grading.dask_connection import ClusterError, connect, gone, gone_in_one_sentence
 from autograder.grading.dask_crew import Crew
-from autograder.grading.dask_worker import GradingPlugin, Wanted, grade_here, rest, software
+from autograder.grading.dask_worker import Wanted, grade_here, rest, software
 from autograder.grading.graded import Graded, same_mark_for_all
 from autograder.grading.spread import Task
 from autograder.marking.marker import Marker
@@ -75,6 +75,8 @@ class DaskCluster:
         if self._client is not None and exception[0] is None:
             with suppress(Exception):  # a courtesy: a later run opens them again
                 self._client.run(rest, self._wanted.name)
+        if self._crew is not None:
+            self._crew.close()
         self._sent.clear()
         self._stack.close()
 
@@ -126,13 +128,7 @@ class DaskCluster:
             [], loop=self._client.loop, with_results=True, raise_errors=False
         )
         with gone_in_one_sentence(self._address):
-            self._crew = Crew(self._client, self._wanted.name, self._tell)
-            try:
-                self._client.register_plugin(GradingPlugin(self._wanted))
-            except Exception:
-                # One worker that cannot even load it is enough; the others hold it nevertheless.
-                if not self._crew.has_unable():
-                    raise
+            self._crew = Crew(self._client, self._wanted, self._tell)
             self._crew.wait_for_first()
 
     def _send(self, sent: _Sent) -> None:

@@ -22,7 +22,10 @@ _CLOSE_SECONDS = 5
 _LOCAL = {
     "distributed.scheduler.allowed-failures": DEATHS - 1,
     "distributed.scheduler.worker-ttl": "60s",
+    # On a busy machine a nanny needs long to start a worker again; it is not to be given up.
+    "distributed.deploy.lost-worker-timeout": "10m",
     "distributed.worker.profile.enabled": False,
+    "distributed.worker.preload": ["autograder.grading.dask_worker"],
 }
 
 
@@ -38,7 +41,9 @@ def connect(address: ClusterAddress) -> Iterator[Client]:
         ClusterError: if there is no scheduler, or workers cannot be started.
     """
     # What goes wrong is said in one sentence here; Dask would say it at length beside it.
-    logging.getLogger("distributed").setLevel(logging.CRITICAL)
+    for name in list(logging.root.manager.loggerDict):
+        if name.partition(".")[0] == "distributed":  # each has a level of its own
+            logging.getLogger(name).setLevel(logging.CRITICAL)
     with _local(address.local) if address.local else _remote(address.text) as client:
         try:
             yield client
@@ -82,6 +87,7 @@ def _local(workers: int) -> Iterator[Client]:
     # Workers are started as `python -c ...`, which would import from the current folder first, and
     # that may be a submission's.
     os.environ["PYTHONSAFEPATH"] = "1"
+    os.environ.setdefault("DASK_LOGGING__DISTRIBUTED", "critical")  # for the workers
     dashboard = "127.0.0.1:0" if importlib.util.find_spec("bokeh") else None
     with dask.config.set(_LOCAL):
         try:

@@ -4,42 +4,48 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
+from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
 from typing import Any
 
 from distributed import Client
 
 from autograder.grading.dask_connection import ClusterError
-from autograder.grading.dask_worker import proof
+from autograder.grading.dask_worker import Wanted, prepare, proof
 
 FIRST_WORKER_SECONDS = 120.0
 ALONE_SECONDS = 300.0  # how long a run waits for a worker after the last has left
 REFUSED_SECONDS = 20.0  # the same, if those that are there were refused
 _LOOK_SECONDS = 2.0
+_NEWCOMER_SECONDS = 0.3
 _MOST_NAMED = 20
 
 
 @dataclass(frozen=True)
 class Member:
-    """One worker: its ``state``, why it was refused, how it isolates, where it runs, its slots."""
+    """One worker: its ``state``, why it was refused, how it isolates, its host and its slots."""
 
     state: str
     reason: str = ""
     isolation: str = ""
-    where: str = ""
+    host: str = ""
     slots: int = 0
 
 
 class Crew:
     """Keeps track of the workers; ``tell`` is given a sentence for each that is refused."""
 
-    def __init__(self, client: Client, plugin: str, tell: Callable[[str], None]) -> None:
-        self._client, self._plugin, self._tell = client, plugin, tell
+    def __init__(self, client: Client, wanted: Wanted, tell: Callable[[str], None]) -> None:
+        self._client, self._wanted, self._tell = client, wanted, tell
         self._members: dict[str, Member] = {}
+        self._names: dict[str, str] = {}
         self._told: set[tuple[str, str]] = set()
         self._worked: dict[str, set[str]] = {}  # isolation: who has it, also those that left
         self._next_look = 0.0
         self._last_ready = time.monotonic()
+        self._started = self._doubtful = False
+        self._beside = ThreadPoolExecutor(1, "crew")
+        self._look: Future[None] | None = None
 
     @property
     def slots(self) -> int:
@@ -68,11 +74,12 @@ class Crew:
         """
         deadline = time.monotonic() + FIRST_WORKER_SECONDS
         while True:
-            self.look_after(at_once=True)
-            states = [member.state for member in self._members.values()]
+            self.look_after()
+            states = [member.state for member in list(self._members.values())]
             if "ready" in states:
+                self._started, self._last_ready = True, time.monotonic()
                 return
-            if states and set(states) == {"refused"}:
+            if self._look is None and states and set(states) == {"refused"}:
                 raise ClusterError(f"No worker can be used. {self._reasons()}")
             if time.monotonic() > deadline:
                 raise ClusterError(
@@ -80,60 +87,83 @@ class Crew:
                     if not states
                     else "The workers do not get ready; look at what they print."
                 )
-            time.sleep(0.1)
+            time.sleep(0.05)
 
-    def has_unable(self) -> bool:
-        """Whether a worker cannot load this autograder at all."""
-        answers = self._client.run(proof, self._plugin, on_error="return")
-        return any(_member(answer).state == "refused" for answer in answers.values())
+    def look_after(self) -> None:
+        """See who has come and gone, now and then; have newcomers prepare.
 
-    def look_after(self, at_once: bool = False) -> None:
-        """See who has come and gone, now and then.
+        The look itself goes on beside, since a worker that hangs takes long to answer.
 
         Raises:
             ClusterError: if nobody is left, and nobody has come for some time.
         """
         now = time.monotonic()
-        if now < self._next_look and not at_once:
+        if self._look is None:
+            if now >= self._next_look:
+                self._look = self._beside.submit(self._see)
             return
-        self._next_look = now + _LOOK_SECONDS
-        there = self._client.nthreads()
-        self._members = {address: self._members.get(address, Member("new")) for address in there}
-        unsure = [a for a, member in self._members.items() if member.state in ("new", "preparing")]
-        if unsure:
-            answers = self._client.run(proof, self._plugin, workers=unsure, on_error="return")
-            for address, answer in answers.items():
-                self._members[address] = _member(answer)
+        if not self._look.done():
+            return
+        look, self._look = self._look, None
+        look.result()
         self._note()
         if self.slots:
             self._last_ready = now
         states = {member.state for member in self._members.values()}
+        hurry = not self.slots or "preparing" in states
+        self._next_look = now + (_NEWCOMER_SECONDS if hurry else _LOOK_SECONDS)
         patience = REFUSED_SECONDS if states == {"refused"} else ALONE_SECONDS
-        if not at_once and now - self._last_ready > patience:
+        if self._started and now - self._last_ready > patience:
             raise ClusterError(
                 f"No worker is left. {self._reasons()}What was graded is kept; start workers and "
                 "run this command again to go on."
             )
 
+    def close(self) -> None:
+        """Look no more."""
+        self._beside.shutdown(wait=False, cancel_futures=True)
+
+    def _see(self) -> None:
+        there = self._client.scheduler_info(n_workers=-1)["workers"]
+        self._names |= {address: str(worker["name"]) for address, worker in there.items()}
+        members = {a: self._members.get(a, Member("new")) for a in there}
+        if self._doubtful:
+            self._doubtful = False
+            members = {
+                a: Member("preparing") if member.state == "ready" else member
+                for a, member in members.items()
+            }
+        self._members = members
+        self._ask(prepare, self._wanted, "new")
+        self._ask(proof, self._wanted.name, "preparing")
+
+    def _ask(self, question: Callable[..., Any], argument: Any, state: str) -> None:
+        """Run a function on every worker that is in a state."""
+        addresses = [a for a, member in self._members.items() if member.state == state]
+        if addresses:
+            answers = self._client.run(question, argument, workers=addresses, on_error="return")
+            self._members = {**self._members, **{a: _member(said) for a, said in answers.items()}}
+
     def ask_again(self) -> None:
         """Ask everybody anew at the next look: one of them has withdrawn."""
-        for address, member in self._members.items():
-            if member.state == "ready":
-                self._members[address] = Member("new", where=member.where)
+        self._doubtful = True
         self._next_look = 0.0
 
     def _note(self) -> None:
         for address, member in self._members.items():
-            name = f"{address} ({member.where})" if member.where else address
             if member.state == "ready":
-                self._worked.setdefault(member.isolation, set()).add(address)
+                self._worked.setdefault(member.isolation, set()).add(self._names[address])
             elif member.state == "refused" and (address, member.reason) not in self._told:
                 self._told.add((address, member.reason))
-                self._tell(f"Worker {name} is refused: {member.reason.rstrip('.')}.")
+                place = f"{address} on {member.host}" if member.host else address
+                self._tell(
+                    f"Worker {self._names[address]} ({place}) is refused: "
+                    f"{member.reason.rstrip('.')}."
+                )
 
     def _reasons(self) -> str:
         reasons = [
-            f"{address}: {member.reason.rstrip('.')}. "
+            f"{self._names[address]}: {member.reason.rstrip('.')}. "
             for address, member in self._members.items()
             if member.state == "refused"
         ]
@@ -142,6 +172,9 @@ class Crew:
 
 
 def _member(answer: Any) -> Member:
+    """What a worker's answer says of it; preparing has none."""
+    if answer is None:
+        return Member("preparing")
     if isinstance(answer, dict):
         return Member(**answer)
     if isinstance(answer, OSError):  # it has just gone, or cannot be reached now

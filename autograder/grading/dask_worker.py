@@ -1,8 +1,8 @@
 """What a Dask worker holds: the proof that it may grade, and a warm sandbox for each of its slots.
 
-The coordinator registers `GradingPlugin`; Dask sets it up on every worker, on those that join late
-and on those that a nanny starts again. Only a worker that has proven itself offers the resource
-that each task asks for, so no other worker is ever given one.
+The coordinator has each worker `prepare`, also those that join late and those that a nanny starts
+again. Only a worker that has proven itself offers the resource that each task asks for, so no other
+worker is ever given one.
 """
 
 from __future__ import annotations
@@ -10,11 +10,13 @@ from __future__ import annotations
 import asyncio
 import os
 import platform
+import signal
 import socket
 import threading
 from contextlib import suppress
 from dataclasses import dataclass
 from importlib.metadata import PackageNotFoundError, version
+from importlib.util import find_spec
 from pathlib import Path
 from queue import Empty, SimpleQueue
 from typing import Any
@@ -64,8 +66,6 @@ def software() -> dict[str, str]:
 
 class GradingPlugin(WorkerPlugin):
     """Proves a worker when it is set up, and then keeps the sandboxes of its slots."""
-
-    idempotent = True  # a second coordinator shares what the first has set up
 
     def __init__(self, wanted: Wanted) -> None:
         self.wanted = wanted
@@ -204,18 +204,33 @@ class Slots:
         self._open.discard(sandbox)
 
 
+def dask_setup(worker: Worker) -> None:
+    """What a worker of ``--cluster local:N`` does first: leave Ctrl-C to the coordinator."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+
+
 def grade_here(data: bytes, plugin: str) -> bytes:
     """The task itself: what `Graded` becomes as bytes, from an order as bytes."""
     result: bytes = get_worker().plugins[plugin].grade(data)
     return result
 
 
+def prepare(wanted: Wanted, dask_worker: Any = None) -> None:
+    """Have this worker begin to prove itself, unless that was done before; runs on the worker.
+
+    Nothing is left at the scheduler: there it would be set up on everybody's later workers too, and
+    keep those from starting that have no autograder.
+    """
+    if wanted.name not in dask_worker.plugins:
+        plugin = GradingPlugin(wanted)
+        dask_worker.loop.add_callback(dask_worker.plugin_add, plugin=plugin, name=wanted.name)
+
+
 def proof(plugin: str, dask_worker: Any = None) -> dict[str, Any]:
     """Who this worker is and whether it has proven itself; runs on the worker."""
     held = dask_worker.plugins.get(plugin)
     said = {"state": "preparing", "reason": "", "isolation": ""} if held is None else held.proof()
-    where = f"process {os.getpid()} on {socket.gethostname()}"
-    return {**said, "where": where, "slots": dask_worker.state.nthreads}
+    return {**said, "host": socket.gethostname(), "slots": dask_worker.state.nthreads}
 
 
 def rest(plugin: str, dask_worker: Any = None) -> None:
@@ -244,6 +259,9 @@ def _compare(wanted: Wanted, course: Course) -> None:
             f"its course in {course.root} or its autograder is another version "
             f"({course.version}, not {wanted.version}); bring both up to date there"
         )
+    for name in course.settings.packages:
+        if not find_spec(name.partition(".")[0]):
+            raise Refused(f"it lacks the package {name} that the course allows; install it there")
     here = software()
     for name, expected in wanted.software.items():
         if here.get(name) != expected:

@@ -8,6 +8,7 @@ from autograder.course import Course
 from autograder.errors import AutograderError
 from autograder.grading.graded import Graded, grader_failed, unreadable
 from autograder.grading.spread import Spread, Task
+from autograder.intake.handout import Handout, handout_of
 from autograder.intake.submissions import Submission, Unreadable, read_submission
 
 
@@ -30,9 +31,10 @@ def grade_class(
             given to ``done``.
     """
     more = len(submissions)
+    handout = handout_of(course)
     for submission in submissions:
         more -= 1
-        read = _read(submission, course, questions)
+        read = _read(submission, course, handout, questions)
         if isinstance(read, Graded):
             done(read)
             continue
@@ -49,12 +51,14 @@ def grade_class(
 
 
 def _read(
-    submission: Submission, course: Course, questions: Collection[str] | None
+    submission: Submission,
+    course: Course,
+    handout: Handout,
+    questions: Collection[str] | None,
 ) -> Task | Graded:
     """What is to be graded, or what is said of a submission that cannot be read."""
-    chapters = [chapter.name for chapter in course.chapters]
     try:
-        return Task(submission, read_submission(submission, course.settings, chapters))
+        return Task(submission, read_submission(submission, course.settings, handout))
     except Unreadable as reason:
         return unreadable(submission, course, str(reason), questions)
     except AutograderError:

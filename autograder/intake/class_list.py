@@ -32,8 +32,8 @@ from __future__ import annotations
 
 import math
 import tomllib
-from collections.abc import Mapping
-from dataclasses import dataclass, field, fields
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, fields, replace
 from datetime import UTC, datetime, timedelta, tzinfo
 from pathlib import Path
 from typing import Any
@@ -41,8 +41,10 @@ from zoneinfo import ZoneInfo, ZoneInfoNotFoundError
 
 from autograder.errors import CourseError
 from autograder.intake.matching import Match, match_all
-from autograder.intake.origin import Origin
+from autograder.intake.origin import Origin, as_utc_text
+from autograder.intake.people import join_people, read_people
 from autograder.intake.person import Person
+from autograder.intake.tables import read_text
 
 
 @dataclass(frozen=True)
@@ -76,6 +78,11 @@ class ClassList:
     late: LatePolicy | None = None
     settled: Mapping[str, str] = field(default_factory=dict)
 
+    @property
+    def zone(self) -> tzinfo | None:
+        """The zone of times that name none: that of the due time."""
+        return None if self.late is None else self.late.due.tzinfo
+
     def match_all(self, origins: Mapping[str, Origin]) -> dict[str, Match]:
         """Whose each submission is, by the student's key; see `autograder.intake.matching`."""
         return match_all(self.students, origins, self.settled)
@@ -83,6 +90,13 @@ class ClassList:
     def find(self, submission: str) -> Person | None:
         """The student to whom a submission of this name belongs, if that is certain."""
         return self.match_all({submission: Origin()})[submission].person
+
+    def days_late(self, handed_in: datetime, people: Sequence[Person]) -> int:
+        """The days late, with the longest extension among those who handed in together."""
+        if self.late is None:
+            return 0
+        extension = max((person.extension_days for person in people), default=0.0)
+        return self.late.days_late(handed_in, extension)
 
     def lateness(self, submission: str, found: datetime | None) -> tuple[str | None, int, float]:
         """When it was handed in (UTC), the days late, and the percent they cost.
@@ -93,11 +107,9 @@ class ClassList:
         handed_in = student.handed_in or found
         if handed_in is None:
             return None, 0, 0.0
-        said = handed_in.astimezone(UTC).isoformat(timespec="seconds")
-        if self.late is None:
-            return said, 0, 0.0
-        days = self.late.days_late(handed_in, student.extension_days)
-        return said, days, self.late.percent(days)
+        days = self.days_late(handed_in, [student])
+        percent = self.late.percent(days) if self.late else 0.0
+        return as_utc_text(handed_in), days, percent
 
 
 def read_class_list(path: Path) -> ClassList:
@@ -106,12 +118,10 @@ def read_class_list(path: Path) -> ClassList:
     Raises:
         CourseError: if it cannot be read or says something unclear; the sentence names the place.
     """
-    try:
-        tables = tomllib.loads(path.read_text(encoding="utf-8"))
-    except FileNotFoundError:
-        raise CourseError(f"There is no class list at {path}; check the name.") from None
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError, OSError) as error:
-        raise CourseError(f"{path} cannot be read: {error}.") from None
+    text = read_text(path)
+    if path.suffix.lower() != ".toml" and not text.lstrip().startswith("["):
+        return ClassList(read_people(text, path, None))
+    tables = _toml(text, path)
     _only(tables, {"assignment", "late", "student"}, str(path))
     assignment = _table(tables, "assignment", path)
     _only(assignment, {"title", "canvas_id"}, f"[assignment] in {path}")
@@ -134,6 +144,59 @@ def handed_in_at(path: Path) -> datetime | None:
         return None
 
 
+def read_class_lists(paths: Sequence[Path], settled: Path | None = None) -> ClassList:
+    """Several lists as one: each person once, title and late policy from the one that has them.
+
+    ``settled`` is ``students.toml``, if there is one: the lines that say whose a submission is.
+
+    Raises:
+        CourseError: as `read_class_list`.
+    """
+    tables = [path for path in paths if path.suffix.lower() == ".toml"]
+    lists = [read_class_list(path) for path in tables]
+    base = next((found for found in lists if found.late), lists[0] if lists else ClassList())
+    zone = base.zone
+    for path in paths:
+        if path not in tables:
+            text = read_text(path)
+            if text.lstrip().startswith("["):
+                lists.append(read_class_list(path))
+            else:
+                lists.append(ClassList(read_people(text, path, zone)))
+    base = next((found for found in lists if found.late), base)
+    titled = next((found for found in lists if found.title != "Autograder"), base)
+    return replace(
+        base,
+        students=join_people([found.students for found in lists]),
+        title=titled.title,
+        canvas_id=titled.canvas_id,
+        settled=read_settled(settled) if settled is not None else {},
+    )
+
+
+def read_settled(path: Path) -> dict[str, str]:
+    """The lines of ``students.toml``: a submission's name and whose it is.
+
+    Raises:
+        CourseError: if it says anything else.
+    """
+    settled = {}
+    for name, value in _toml(read_text(path), path).items():
+        if not isinstance(value, str | int):
+            raise CourseError(
+                f'{path}: write each line as "the submission\'s name" = "login or e-mail".'
+            )
+        settled[name] = str(value)
+    return settled
+
+
+def _toml(text: str, path: Path) -> dict[str, Any]:
+    try:
+        return tomllib.loads(text.replace("\r\n", "\n"))
+    except tomllib.TOMLDecodeError as error:
+        raise CourseError(f"{path} cannot be read: {error}.") from None
+
+
 def _policy(late: dict[str, Any], zone: tzinfo | None, path: Path) -> LatePolicy:
     known = {"due", "zone", "grace_minutes", "percent_a_day", "most_percent"}
     _only(late, known, f"[late] in {path}")
@@ -151,7 +214,7 @@ def _policy(late: dict[str, Any], zone: tzinfo | None, path: Path) -> LatePolicy
 def _students(entries: Any, zone: tzinfo | None, path: Path) -> tuple[Person, ...]:
     if not isinstance(entries, list) or not all(isinstance(entry, dict) for entry in entries):
         raise CourseError(f"{path}: write each student as a [[student]] table.")
-    known = {known.name for known in fields(Person)}
+    known = {known.name for known in fields(Person)} - {"noted_time"}
     students = []
     taken: dict[str, str] = {}
     for entry in entries:

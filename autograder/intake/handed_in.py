@@ -1,37 +1,68 @@
-"""The files of a submission, read into memory under caps: from a zip, a folder or one notebook.
+"""The files of a submission, read into memory under caps: from zips, folders and notebooks.
 
 Nothing is written to disk and no link is followed, so a name such as ``../../gradebook.db`` has
-nowhere to lead. Only notebooks and saved responses are read; every other file is passed over.
+nowhere to lead. Only notebooks and saved responses are read, also from zips inside; what is passed
+over is noted where somebody could have meant it to count.
 """
 
 from __future__ import annotations
 
-import io
-import os
-import stat
-import zipfile
-from collections.abc import Iterator
-from pathlib import Path, PurePosixPath
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from datetime import datetime
+from pathlib import PurePosixPath
+from typing import Protocol
 
 from autograder.course import Settings
+from autograder.intake.archive import Archive, archive_from_bytes, shown
+from autograder.intake.names import moodle_name, rest_of
 from autograder.intake.notebook_reader import Unreadable
+from autograder.intake.origin import Piece
+from autograder.intake.place import Place, is_notebook_name, place_of
 
 MAX_DEPTH = 8  # folders inside folders
+MAX_ZIPS = 3  # zips inside zips
 MAX_SIDECAR = 2**20
-MAX_RATIO = 250  # deflate reaches about 1000; notebooks stay below 50
-_BOMB_SIZE = 2**20  # below this a high ratio harms nobody
-_CENTRAL_ENTRY = b"PK\x01\x02"
+SUBMITTED = "submitted.txt"  # when `submit()` packed it: a hint, students can change it
+_OTHER_ARCHIVES = (".rar", ".7z", ".tar", ".tgz", ".gz", ".bz2", ".xz", ".zipx")
+_OFFICE = (".docx", ".xlsx", ".pptx", ".odt", ".ods", ".jar", ".apk")
+_MOST_NOTES = 20
+
+
+@dataclass(frozen=True)
+class Kept:
+    """A file that is wanted; of two for one chapter the later ``order`` and ``time`` are newer."""
+
+    data: bytes
+    order: int = 0
+    time: datetime | None = None
 
 
 class Files:
     """The wanted files by their path inside the submission, and what was odd about the others."""
 
     def __init__(self, settings: Settings) -> None:
-        self.data: dict[PurePosixPath, bytes] = {}
+        self.kept: dict[PurePosixPath, Kept] = {}
         self.notes: list[str] = []
+        self.hint = ""
         self._count_left = settings.submission_files
         self._bytes_left = settings.submission_mb * 2**20
-        self._settings = settings
+        self.settings = settings
+
+    @property
+    def data(self) -> dict[PurePosixPath, bytes]:
+        """The bytes of each file."""
+        return {path: kept.data for path, kept in self.kept.items()}
+
+    def note(self, sentence: str) -> None:
+        """Say what was odd, unless so much was that nobody would read it."""
+        if sentence in self.notes:
+            return
+        if len(self.notes) == _MOST_NOTES:
+            self.notes.append("More files than these were passed over.")
+        if len(self.notes) < _MOST_NOTES:
+            self.notes.append(sentence)
 
     def count(self) -> None:
         """Take notice of one more entry.
@@ -42,63 +73,80 @@ class Files:
         self._count_left -= 1
         if self._count_left < 0:
             raise Unreadable(
-                f"It holds more than {self._settings.submission_files} files; "
+                f"It holds more than {self.settings.submission_files} files; "
                 "hand in only the notebooks and the folder responses."
             )
 
-    def has(self, path: PurePosixPath) -> bool:
-        """Whether there is such a file already, which a note then says."""
-        if path in self.data:
-            self.notes.append(f"{_show(path)} is there twice; the first was taken.")
-        return path in self.data
-
     def limit(self, path: PurePosixPath) -> int:
         """How many bytes the file at ``path`` may have."""
-        return min(self._bytes_left, MAX_SIDECAR if path.suffix == ".json" else self._bytes_left)
+        is_sidecar = path.suffix == ".json" and not is_notebook_name(path.name)
+        return min(self._bytes_left, MAX_SIDECAR if is_sidecar else self._bytes_left)
 
-    def add(self, path: PurePosixPath, data: bytes) -> None:
+    def spend(self, size: int) -> None:
+        """Count bytes that were read, whether they are kept or not.
+
+        Raises:
+            Unreadable: if the submission as a whole is too large.
+        """
+        self._bytes_left -= size
+        if self._bytes_left < 0:
+            raise Unreadable(
+                f"It is larger than {self.settings.submission_mb} MB; "
+                "clear the notebooks' outputs and hand it in again."
+            )
+
+    def add(self, path: PurePosixPath, kept: Kept) -> None:
         """Keep a file, unless it is over its cap.
 
         Raises:
             Unreadable: if the submission as a whole is too large.
         """
-        too_long = len(data) > self.limit(path)
-        self._bytes_left -= len(data)  # what was read counts, kept or not
-        if self._bytes_left < 0:
-            raise Unreadable(
-                f"It is larger than {self._settings.submission_mb} MB; "
-                "clear the notebooks' outputs and hand it in again."
-            )
+        too_long = len(kept.data) > self.limit(path)
+        self.spend(len(kept.data))
         if too_long:
-            self.notes.append(f"{_show(path)} is too large for saved responses; it was left out.")
+            self.note(f"{shown(path.name)} is too large for saved responses; it was left out.")
             return
-        self.data[path] = data
+        while path in self.kept:  # of another piece
+            path = path.with_name(f"{path.stem}_{path.suffix}")
+        self.kept[path] = kept
 
 
-def read_files(path: Path, settings: Settings) -> Files:
-    """The notebooks and saved responses of the submission at ``path``.
+def read_files(pieces: Sequence[Piece], settings: Settings) -> Files:
+    """The notebooks and saved responses of the pieces of a submission.
 
     Raises:
         Unreadable: if it cannot be opened or goes beyond a cap; the sentence says which.
     """
     files = Files(settings)
-    try:
-        mode = path.lstat().st_mode
-        if stat.S_ISDIR(mode):
-            _read_folder(path, files)
-        elif not stat.S_ISREG(mode):
-            raise Unreadable(f"{_show(path)} is a link or a device; hand in a zip or a notebook.")
-        elif path.suffix.lower() == ".ipynb":
-            name = PurePosixPath(path.name)
-            files.add(name, _read_regular(path, files.limit(name)))
-        elif path.suffix.lower() == ".zip":
-            _read_zip(_read_regular(path, settings.submission_mb * 2**20), files)
-        else:
-            raise Unreadable(
-                f"{_show(path)} is neither a zip nor a notebook; hand in one of these."
-            )
-    except OSError as error:
-        raise Unreadable(f"{_show(path)} cannot be opened: {error.strerror or error}.") from None
+    reasons: list[str] = []
+    for order, piece in enumerate(pieces):
+        name = piece.name
+        try:
+            if piece.commit:
+                from autograder.intake.repository import read_commit
+
+                read_commit(piece, files, order)
+                continue
+            place = place_of(piece)
+            if place.is_link:
+                raise Unreadable(
+                    f"{shown(name)} is a link or a device; hand in a zip or a notebook."
+                )
+            if place.is_folder:
+                label = PurePosixPath(name) if _is_part(pieces, name) else PurePosixPath()
+                _read_folder(place, label, files, order, 0)
+            else:
+                _read_single(place, PurePosixPath(rest_of(name)), files, order)
+        except OSError as error:
+            reasons.append(f"{shown(name)} cannot be opened: {error.strerror or error}.")
+        except Unreadable as unreadable:
+            if len(pieces) == 1:
+                raise
+            reasons.append(str(unreadable))
+    if reasons and not files.kept:
+        raise Unreadable(" ".join(reasons[:3]))
+    for reason in reasons:
+        files.note(reason)
     return files
 
 
@@ -106,103 +154,146 @@ def is_wanted(path: PurePosixPath) -> bool:
     """Whether the file is a notebook or a chapter's saved responses."""
     if any(part.startswith((".", "__")) for part in path.parts):
         return False  # .ipynb_checkpoints, __MACOSX
-    if path.suffix.lower() == ".ipynb":
+    if is_notebook_name(path.name):
         return True
     return path.suffix == ".json" and path.parent.name == "responses"
 
 
-def _read_folder(top: Path, files: Files) -> None:
-    for path in _walk(top, files, 0):
-        inside = PurePosixPath(path.relative_to(top).as_posix())
-        if path.is_symlink():
-            files.notes.append(f"{_show(inside)} is a link; it was not followed.")
-        elif is_wanted(inside):
-            files.add(inside, _read_regular(path, files.limit(inside)))
+def _is_part(pieces: Sequence[Piece], name: str) -> bool:
+    """Whether a folder's name belongs to the paths: the system's own does not."""
+    return len(pieces) > 1 and moodle_name(name) is None
 
 
-def _walk(folder: Path, files: Files, depth: int) -> Iterator[Path]:
-    if depth > MAX_DEPTH:
-        files.notes.append(f"Folders more than {MAX_DEPTH} deep were not read.")
+class _Entries(Protocol):
+    """What `_read_entry` needs of a file, wherever it is."""
+
+    is_link: bool
+    time: datetime | None
+
+    def read(self, limit: int) -> bytes: ...
+
+
+def _read_single(place: Place, name: PurePosixPath, files: Files, order: int) -> None:
+    """A submission, or a piece of it, that is one file."""
+    lower = name.name.lower()
+    if is_notebook_name(lower):
+        data = place.read(files.limit(name))
+        files.add(name, Kept(data, order, place.time))
         return
-    with os.scandir(folder) as entries:
-        listed = sorted(entries, key=lambda entry: entry.name)
-    for entry in listed:
-        files.count()
-        if entry.is_dir(follow_symlinks=False):
-            if not entry.name.startswith((".", "__")):
-                yield from _walk(Path(entry.path), files, depth + 1)
-        else:
-            yield Path(entry.path)
-
-
-def _read_regular(path: Path, limit: int) -> bytes:
-    """At most ``limit + 1`` bytes of a file that is no link, no pipe and no device."""
-    flags = os.O_RDONLY | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0)
-    descriptor = os.open(path, flags | getattr(os, "O_BINARY", 0))
-    with os.fdopen(descriptor, "rb") as stream:
-        if not stat.S_ISREG(os.fstat(descriptor).st_mode):
-            raise Unreadable(f"{_show(path)} is no ordinary file; hand in a zip or a notebook.")
-        return stream.read(limit + 1)
-
-
-def _read_zip(data: bytes, files: Files) -> None:
-    settings = files._settings
-    if len(data) > settings.submission_mb * 2**20:
-        raise Unreadable(f"The zip is larger than {settings.submission_mb} MB.")
-    # Before zipfile makes an object of each entry: their number cannot be more than this.
-    if data.count(_CENTRAL_ENTRY) > settings.submission_files:
+    if lower.endswith(_OTHER_ARCHIVES):
         raise Unreadable(
-            f"The zip holds more than {settings.submission_files} files; "
-            "hand in only the notebooks and the folder responses."
+            f"{shown(name.name)} is an archive of another kind; unpack it and hand in a zip."
         )
+    limit = files.settings.submission_mb * 2**20
+    data = place.read(limit if lower.endswith(".zip") else min(limit, 2**26))
+    if lower.endswith(".zip"):
+        if len(data) > limit:
+            raise Unreadable(f"The zip is larger than {files.settings.submission_mb} MB.")
+        archive = archive_from_bytes(data, files.settings.submission_files)
+        _read_archive(archive, PurePosixPath(), files, order, 1)
+        return
+    if not lower.endswith(_OFFICE) and _looks_like_zip(data, files):
+        archive = archive_from_bytes(data, files.settings.submission_files)
+        files.note(f"{shown(name.name)} is a zip under another name; it was read as one.")
+        _read_archive(archive, PurePosixPath(), files, order, 1)
+        return
+    if lower.endswith((".json", ".txt")) and data.lstrip(b"\xef\xbb\xbf \r\n\t")[:1] == b"{":
+        files.add(name.with_name(name.stem + ".ipynb"), Kept(data, order, place.time))
+        return
+    raise Unreadable(f"{shown(name.name)} is neither a zip nor a notebook; hand in one of these.")
+
+
+def _looks_like_zip(data: bytes, files: Files) -> bool:
+    if data[:4] != b"PK\x03\x04":
+        return False
     try:
-        with zipfile.ZipFile(io.BytesIO(data)) as archive:
-            for entry in archive.infolist():
-                _read_entry(archive, entry, files)
+        archive = archive_from_bytes(data, files.settings.submission_files)
     except Unreadable:
-        raise
-    except Exception as error:  # zipfile raises many kinds on purposely broken archives
-        raise Unreadable(f"The zip is damaged ({_one_line(error)}); make it again.") from None
+        return False
+    return archive.has_wanted((".ipynb", ".zip"))
 
 
-def _read_entry(archive: zipfile.ZipFile, entry: zipfile.ZipInfo, files: Files) -> None:
-    files.count()
-    name = entry.filename.replace("\\", "/")
-    path = PurePosixPath(name)
-    if not path.parts or name.endswith("/"):
+def _read_folder(folder: Place, at: PurePosixPath, files: Files, order: int, depth: int) -> None:
+    if depth > MAX_DEPTH:
+        files.note(f"Folders more than {MAX_DEPTH} deep were not read.")
         return
-    if name.startswith("/") or ".." in path.parts or ":" in path.parts[0]:
-        files.notes.append(f"{_show(path)} leads out of the zip; it was left out.")
-        return
-    if len(path.parts) > MAX_DEPTH + 1:
-        files.notes.append(f"Folders more than {MAX_DEPTH} deep were not read.")
-        return
-    if not is_wanted(path) or files.has(path):
-        return
-    if stat.S_ISLNK(entry.external_attr >> 16):
-        files.notes.append(f"{_show(path)} is a link; it was not followed.")
-        return
-    if entry.flag_bits & 1:
-        raise Unreadable("The zip is protected by a password; make it again without one.")
-    if entry.compress_type not in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED):
-        raise Unreadable("The zip uses an unusual compression; make it again with another program.")
-    with archive.open(entry) as stream:
-        data = stream.read(files.limit(path) + 1)
-    if len(data) > _BOMB_SIZE and len(data) > MAX_RATIO * max(entry.compress_size, 1):
-        raise Unreadable(
-            f"{_show(path)} in the zip grows to more than {MAX_RATIO} times its size, as a zip "
-            "bomb does; clear the notebook's outputs and make the zip again."
-        )
-    files.add(path, data)
+    for place in folder.children():
+        files.count()
+        path = at / place.name
+        if place.is_link:
+            if is_wanted(path) or not place.name.startswith("."):
+                files.note(f"{shown(str(path))} is a link; it was not followed.")
+        elif place.is_folder:
+            if not place.name.startswith((".", "__")):
+                _read_folder(place, path, files, order, depth + 1)
+        else:
+            _read_entry(place, path, files, order, 0)
 
 
-def _show(path: Path | PurePosixPath) -> str:
-    """A file name from a student, fit for a sentence."""
-    name = path.name or str(path)
-    clean = "".join(c if c.isprintable() else "?" for c in name)
-    return clean if len(clean) <= 80 else clean[:79] + "…"
+def _read_archive(archive: Archive, at: PurePosixPath, files: Files, order: int, zips: int) -> None:
+    for note in archive.notes:
+        if any(end in note for end in (".ipynb", ".json")):
+            files.note(note)
+    for name in archive.entries:
+        files.count()
+        path = at / name
+        if len(PurePosixPath(name).parts) > MAX_DEPTH + 1:
+            files.note(f"Folders more than {MAX_DEPTH} deep were not read.")
+            continue
+        _read_entry(_Entry(archive, name), path, files, order, zips)
 
 
-def _one_line(error: Exception) -> str:
-    text = " ".join(str(error).split()) or type(error).__name__
-    return "".join(c if c.isprintable() else "?" for c in text)[:120]
+class _Entry:
+    """An entry of a zip as `_read_entry` wants it."""
+
+    def __init__(self, archive: Archive, name: str) -> None:
+        self._archive, self._name = archive, name
+        self.time = archive.time(name)
+        self.is_link = archive.is_link(name)
+
+    def read(self, limit: int) -> bytes:
+        return self._archive.read(self._name, limit)
+
+
+def _read_entry(
+    entry: _Entries | Place, path: PurePosixPath, files: Files, order: int, zips: int
+) -> None:
+    hidden = any(part.startswith((".", "__")) for part in path.parts)
+    if is_wanted(path):
+        if entry.is_link:
+            files.note(f"{shown(str(path))} is a link; it was not followed.")
+            return
+        files.add(path, Kept(entry.read(files.limit(path)), order, entry.time))
+    elif hidden or entry.is_link:
+        return
+    elif path.suffix.lower() == ".zip":
+        _read_nested(entry, path, files, order, zips)
+    elif path.name == SUBMITTED and not files.hint:
+        text = entry.read(100)
+        files.spend(len(text))
+        files.hint = text.decode("ascii", "replace").strip()
+    elif path.suffix.lower() in _OTHER_ARCHIVES:
+        files.note(f"{shown(str(path))} is an archive of another kind; it was not opened.")
+
+
+def _read_nested(
+    entry: _Entries | Place, path: PurePosixPath, files: Files, order: int, zips: int
+) -> None:
+    if zips >= MAX_ZIPS:
+        files.note(f"{shown(str(path))} is a zip in {zips} others; it was not opened.")
+        return
+    try:
+        data = entry.read(files.limit(path))
+        files.spend(len(data))
+        archive = archive_from_bytes(data, files.settings.submission_files)
+    except Unreadable as unreadable:
+        if files._bytes_left < 0:
+            raise
+        files.note(f"{shown(str(path))}: {_uncapitalised(str(unreadable))}")
+        return
+    # A zip that lies beside what it was made of (`submit()` writes it there) holds the same again.
+    _read_archive(archive, path.parent / f"{path.stem}", files, order, zips + 1)
+
+
+def _uncapitalised(sentence: str) -> str:
+    return re.sub(r"^The zip", "the zip", sentence)

@@ -252,6 +252,10 @@ _KINDS = (
     ("number", "number"),
     ("submission", "submission"),
 )
+_PARTICIPANTS = {
+    *("participant", "teilnehmer in", "teilnehmerin", "teilnehmer", "participante"),
+    *("partecipante", "deelnemer", "anon"),
+}
 _IDENTIFIERS = ("submission", "login", "email", "id")
 
 
@@ -268,7 +272,7 @@ def plain_name(name: str) -> str:
 
 def is_anonymous(name: str) -> bool:
     """Whether a system gave the name because names are hidden from markers."""
-    return plain_name(name) in {"participant", "teilnehmer in", "teilnehmer", "anon"}
+    return plain_name(name) in _PARTICIPANTS
 
 
 def _spellings(name: str) -> set[str]:

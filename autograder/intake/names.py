@@ -96,3 +96,12 @@ def claim_of(name: str) -> Claim:
         if found := read(name):
             return found.claim
     return Claim(called=name)
+
+
+def rest_of(name: str) -> str:
+    """The student's own file name, without what the system put before it."""
+    for read in (moodle_name, canvas_name, blackboard_name):
+        found = read(name)
+        if found is not None and found.rest:
+            return found.rest
+    return name

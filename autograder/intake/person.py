@@ -12,7 +12,8 @@ class Person:
 
     ``id`` is the learning system's own number, ``sis_id`` the university's, ``github`` a login
     there, ``number`` Moodle's participant number (for one assignment only), and ``submission`` the
-    name of what they handed in where it is called none of these.
+    name of what they handed in where it is called none of these. ``handed_in`` is a time that
+    settles it, ``noted_time`` what a grading worksheet says.
     """
 
     name: str
@@ -26,6 +27,7 @@ class Person:
     handed_in: datetime | None = None
     github: str = ""
     number: str = ""
+    noted_time: datetime | None = None
 
     def identifiers(self) -> tuple[str, ...]:
         """What belongs to this person alone: login, e-mail, ids; never the name."""

@@ -1,4 +1,4 @@
-"""Finds submissions and takes in what they hold, trusting nothing.
+"""A submission, and what it holds: notebooks by chapter and saved responses, trusting nothing.
 
 Who handed something in follows from the name of the file or folder, never from what is inside it.
 """
@@ -9,14 +9,16 @@ import hashlib
 import json
 import re
 import unicodedata
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field
+from datetime import UTC, datetime
 from pathlib import Path, PurePosixPath
 from typing import Any
 
 from autograder.course import Settings
-from autograder.errors import UsageError
-from autograder.intake.handed_in import read_files
+from autograder.intake.archive import JOINERS, shown
+from autograder.intake.handed_in import Files, Kept, read_files
+from autograder.intake.handout import Handout
 from autograder.intake.notebook_reader import (
     Notebook,
     Unreadable,
@@ -25,6 +27,7 @@ from autograder.intake.notebook_reader import (
     read_notebook,
 )
 from autograder.intake.origin import Origin, Piece
+from autograder.intake.place import is_notebook_name
 
 __all__ = [
     "Contents",
@@ -35,12 +38,13 @@ __all__ = [
     "read_submission",
 ]
 
-_NUMBERED = re.compile(r"\d{1,2}[ _-]+\w")
 # One suffix of a copy, in only one way: with a choice of ways, a name that a student made up could
 # take for ever to be found not to match.
 _COPY = re.compile(r"(?:\(\d{1,9}\)|[ _-]copy[ _-]?\d{0,9})\Z", re.IGNORECASE)
 _MAX_NAME = 100
 _MAX_STEM = 255  # what a file system allows; a zip may claim 65,535
+_MOST_NAMES = 4  # in one sentence
+_NO_TIME = datetime(1980, 1, 1, tzinfo=UTC)
 
 
 @dataclass(frozen=True)
@@ -79,37 +83,36 @@ class Contents:
 
 
 def find_submissions(paths: Collection[Path], settings: Settings) -> list[Submission]:
-    """The submissions at the given paths, each of them a submission or a folder of submissions.
-
-    A folder is one submission if it holds numbered notebooks (``3_ransac.ipynb``) or a folder
-    ``notebooks``; otherwise each of its entries is one, except names that start with ``.`` or
-    ``_``. Nothing is opened here: a file that is no submission is found out when it is read.
+    """The submissions at the given paths; `autograder.intake.find.take_in` says more about them.
 
     Raises:
-        UsageError: if a path does not exist.
+        UsageError: if a path does not exist, or if it is not clear what it is.
     """
-    found: list[Path] = []
-    for path in paths:
-        if not path.exists():
-            raise UsageError(
-                f"{path} does not exist; give a submission or a folder of submissions."
-            )
-        path = path.resolve()
-        if path.is_dir() and not _is_submission(path):
-            found += sorted(
-                entry for entry in path.iterdir() if not entry.name.startswith((".", "_"))
-            )
-        else:
-            found.append(path)
-    return _with_unique_names(list(dict.fromkeys(found)))
+    from autograder.intake.find import take_in
+
+    return take_in(paths, settings).submissions
 
 
-def student_name(path: Path) -> str:
-    """The student's name as the file or folder name gives it, without control characters."""
-    stem = path.stem if path.suffix.lower() in (".zip", ".ipynb") or path.is_file() else path.name
-    text = unicodedata.normalize("NFC", stem.encode("utf-8", "replace").decode())
-    text = "".join(c if c.isprintable() and c not in "/\\" else " " for c in text)
-    return " ".join(text.split())[:_MAX_NAME].strip(". ") or "unnamed"
+def student_name(name: str) -> str:
+    """A student's name from the name of a file or folder, without control characters.
+
+    The marks that join letters and emoji stay; those that turn the direction of writing go.
+    """
+    text = unicodedata.normalize("NFC", name.encode("utf-8", "replace").decode())
+    text = "".join(c for c in text if c in JOINERS or unicodedata.category(c) != "Cf")
+    text = "".join(c if c in JOINERS or (c.isprintable() and c not in "/\\") else " " for c in text)
+    return " ".join(text.split())[:_MAX_NAME].strip(". " + JOINERS) or "unnamed"
+
+
+@dataclass(frozen=True)
+class _Copy:
+    """One notebook of a chapter, of which there may be several."""
+
+    path: PurePosixPath
+    kept: Kept
+    notebook: Notebook | None
+    reason: str = ""
+    untouched: bool = False
 
 
 def read_submission(
@@ -119,93 +122,132 @@ def read_submission(
 
     The chapter is the notebook's name after its number, without a copy's suffix; with the course's
     ``chapters`` given, it is the one whose name the notebook's contains, so that
-    ``lovelace_3_RANSAC final.ipynb`` is found too.
+    ``lovelace_3_RANSAC final.ipynb`` is found too. If ``chapters`` is a `Handout`, a notebook whose
+    name says nothing belongs to the chapter whose questions it asks, and of two notebooks for one
+    chapter the one that differs from what was handed out counts; then the newest.
 
     Raises:
         Unreadable: if nothing can be read; the sentence says why.
     """
-    files = read_files(submission.path, settings)
+    files = read_files(submission.pieces, settings)
     notes = [*submission.notes, *files.notes]
+    handout = chapters if isinstance(chapters, Handout) else Handout(dict.fromkeys(chapters, ()))
     notebooks: dict[str, Notebook] = {}
     unreadable: dict[str, str] = {}
-    sidecars: dict[str, dict[str, Any]] = {}
-
-    by_chapter: dict[str, list[PurePosixPath]] = {}
-    for path in files.data:
-        if path.suffix.lower() == ".ipynb":
-            by_chapter.setdefault(_chapter(path, chapters), []).append(path)
-    for chapter, copies in sorted(by_chapter.items()):
-        first, *others = sorted(copies, key=_plainest)
-        for other in others:
-            notes.append(
-                f"There are two notebooks for one chapter: {_text(first)} was marked, "
-                f"{_text(other)} was not."
-            )
-        try:
-            notebook = read_notebook(files.data[first], _text(first))
-        except Unreadable as reason:
-            unreadable[chapter] = str(reason)
+    for chapter, copies in sorted(_by_chapter(files, handout, notes).items()):
+        best, *others = sorted(copies, key=_first_choice)
+        if others:
+            notes.append(_which_was_marked(best, others))
+        if best.notebook is None:
+            unreadable[chapter] = best.reason
         else:
-            notebooks[chapter] = notebook
-            notes += notebook.notes
-    for path in sorted(files.data, key=_plainest):
-        if path.suffix == ".json" and path.stem not in sidecars:
-            try:
-                sidecars[path.stem] = _read_sidecar(files.data[path], _text(path))
-            except Unreadable as reason:
-                notes.append(f"Saved responses were left out: {reason}")
-
+            notebooks[chapter] = best.notebook
+            notes += best.notebook.notes
+    sidecars = _read_sidecars(files, notes)
     if not notebooks and not sidecars:
-        raise Unreadable(
-            next(iter(unreadable.values()), "It holds no notebook; hand in the .ipynb files.")
-        )
+        raise Unreadable(_nothing(unreadable, files.notes))
     fingerprint = _fingerprint(notebooks, sidecars, unreadable)
     return Contents(notebooks, sidecars, unreadable, list(dict.fromkeys(notes)), fingerprint)
 
 
-def _is_submission(folder: Path) -> bool:
-    if any(_NUMBERED.match(path.name) for path in folder.glob("*.ipynb")):
-        return True
-    return any((folder / "notebooks").glob("*.ipynb"))
+def _by_chapter(files: Files, handout: Handout, notes: list[str]) -> dict[str, list[_Copy]]:
+    """The notebooks by chapter; those that count for nothing are named in a note."""
+    by_chapter: dict[str, list[_Copy]] = {}
+    useless = []
+    for path in sorted(files.kept, key=_plainest):
+        if not is_notebook_name(path.name):
+            continue
+        kept = files.kept[path]
+        chapter, is_known = _chapter(path, handout)
+        notebook, reason = None, ""
+        try:
+            notebook = read_notebook(kept.data, _text(path))
+        except Unreadable as unreadable:
+            reason = str(unreadable)
+        if not is_known and notebook is not None and handout.questions:
+            asked = handout.chapter_asked_in(notebook)
+            if asked is not None:
+                chapter = asked
+            elif _stem(path).casefold() not in handout.stems and any(handout.questions.values()):
+                useless.append(path)
+        untouched = notebook is not None and handout.is_untouched(chapter, notebook)
+        copy = _Copy(path, kept, notebook, reason, untouched)
+        by_chapter.setdefault(chapter, []).append(copy)
+    if useless:
+        verb = "names" if len(useless) == 1 else "name"
+        notes.append(
+            f"{_list(useless)} {verb} no chapter and no question of the course; "
+            "nothing in there counts."
+        )
+    return by_chapter
 
 
-def _with_unique_names(paths: list[Path]) -> list[Submission]:
-    """A second entry with a student's name becomes ``ada (2)``, and both say so."""
-    by_name: dict[str, list[Path]] = {}
-    for path in paths:
-        by_name.setdefault(student_name(path).casefold(), []).append(path)
-    submissions: list[Submission] = []
-    taken = set(by_name)
-    for path in paths:
-        name = student_name(path)
-        same = by_name[name.casefold()]
-        notes: tuple[str, ...] = ()
-        if len(same) > 1:
-            names = ", ".join(_text(PurePosixPath(other.name)) for other in same)
-            notes = (f"Several submissions are named {name} ({names}); each is marked by itself.",)
-            number = same.index(path) + 1
-            while number > 1 and f"{name} ({number})".casefold() in taken:
-                number += 1
-            if number > 1:
-                name = f"{name} ({number})"
-                taken.add(name.casefold())
-        submissions.append(Submission(name, path, notes))
-    return submissions
+def _first_choice(copy: _Copy) -> tuple[Any, ...]:
+    """Sort key: what can be read, what is the student's own, the newest, the plainest name."""
+    time = copy.kept.time or _NO_TIME
+    return (
+        copy.notebook is None,
+        copy.untouched,
+        -copy.kept.order,
+        -time.timestamp(),
+        *_plainest(copy.path),
+    )
 
 
-def _chapter(path: PurePosixPath, chapters: Collection[str]) -> str:
-    plain = re.sub(r"\W+", "_", path.stem[:_MAX_STEM].casefold())
-    for chapter in sorted(chapters, key=len, reverse=True):
+def _which_was_marked(best: _Copy, others: Sequence[_Copy]) -> str:
+    same = best.notebook is not None and all(
+        other.notebook is not None and other.notebook.cells == best.notebook.cells
+        for other in others
+    )
+    count = "two" if len(others) == 1 else f"{len(others) + 1:,}"
+    was = "was" if len(others) == 1 else "were"
+    why = "; they are the same" if same else ""
+    if not same and any(other.untouched for other in others):
+        left = "it is" if len(others) == 1 else "some are"
+        why = f" ({left} as handed out)"
+    return (
+        f"There are {count} notebooks for one chapter: {_text(best.path)} was marked, "
+        f"{_list([other.path for other in others])} {was} not{why}."
+    )
+
+
+def _list(paths: Sequence[PurePosixPath]) -> str:
+    named = [_text(path) for path in paths[:_MOST_NAMES]]
+    more = len(paths) - len(named)
+    if more:
+        return f"{', '.join(named)} and {more:,} more"
+    return " and ".join([", ".join(named[:-1]), named[-1]] if len(named) > 1 else named)
+
+
+def _nothing(unreadable: dict[str, str], notes: Sequence[str]) -> str:
+    if unreadable:
+        return next(iter(unreadable.values()))
+    why = " ".join(notes[:2])
+    return f"It holds no notebook{': ' + why if why else '; hand in the .ipynb files.'}"
+
+
+def _chapter(path: PurePosixPath, handout: Handout) -> tuple[str, bool]:
+    """The chapter that a notebook's name says, and whether the course has it."""
+    stem = _stem(path)
+    plain = re.sub(r"\W+", "_", stem.casefold())
+    for chapter in sorted(handout, key=len, reverse=True):
         if chapter.casefold() in plain:
-            return chapter
-    stem = _without_copy(path.stem)
-    return _text(PurePosixPath(re.sub(r"^(copy of )?\d+[ _-]+", "", stem, flags=re.IGNORECASE)))
+            return chapter, True
+    name = re.sub(r"^(copy of )?\d+[ _-]+", "", _without_copy(stem), flags=re.IGNORECASE)
+    return _text(PurePosixPath(name or "unnamed")), False
+
+
+def _stem(path: PurePosixPath) -> str:
+    """The name without ``.ipynb`` and what browsers add behind it."""
+    name = path.name[:_MAX_STEM]
+    cut = name.lower().rfind(".ipynb")
+    return name[:cut] if cut >= 0 else path.stem[:_MAX_STEM]
 
 
 def _plainest(path: PurePosixPath) -> tuple[bool, int, int, str]:
     """Sort key: the original before its copies, the outermost first, then by name."""
-    stem = path.stem.casefold()
-    is_copy = _without_copy(stem) != stem[:_MAX_STEM] or stem.startswith("copy of ")
+    stem = _stem(path).casefold()
+    is_copy = _without_copy(stem) != stem or stem.startswith("copy of ")
     return (is_copy, len(path.parts), len(stem), str(path))
 
 
@@ -215,6 +257,24 @@ def _without_copy(stem: str) -> str:
     while suffix := _COPY.search(stem):
         stem = stem[: suffix.start()].rstrip(" _-")
     return stem
+
+
+def _read_sidecars(files: Files, notes: list[str]) -> dict[str, dict[str, Any]]:
+    """The saved responses by chapter: of the newest piece, the outermost first."""
+    sidecars: dict[str, dict[str, Any]] = {}
+    left_out = []
+    paths = [path for path in files.kept if not is_notebook_name(path.name)]
+    for path in sorted(paths, key=lambda path: (-files.kept[path].order, *_plainest(path))):
+        if path.stem in sidecars:
+            continue
+        try:
+            sidecars[path.stem] = _read_sidecar(files.kept[path].data, _text(path))
+        except Unreadable as reason:
+            left_out.append(f"Saved responses were left out: {reason}")
+    notes += left_out[:_MOST_NAMES]
+    if len(left_out) > _MOST_NAMES:
+        notes.append(f"So were {len(left_out) - _MOST_NAMES:,} more files of saved responses.")
+    return sidecars
 
 
 def _read_sidecar(data: bytes, name: str) -> dict[str, Any]:
@@ -241,5 +301,4 @@ def _fingerprint(
 
 
 def _text(path: PurePosixPath) -> str:
-    clean = "".join(c if c.isprintable() else "?" for c in path.name)
-    return clean if len(clean) <= _MAX_NAME else clean[: _MAX_NAME - 1] + "…"
+    return shown(str(path))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import random
 import signal
+import socket
 import sqlite3
 import subprocess
 import sys
@@ -126,3 +127,61 @@ def kill_workers_at_random(
             os.kill(rng.choice(alive), signal.SIGKILL)
             killed += 1
     return killed
+
+
+def free_port() -> int:
+    with socket.socket() as listener:
+        listener.bind(("127.0.0.1", 0))
+        return int(listener.getsockname()[1])
+
+
+class Lab:
+    """A scheduler and workers, started as people start them, each worker with its own oddities."""
+
+    def __init__(self, root: Path, **environment: str) -> None:
+        self.root, self.environment = root, environment
+        self.port = free_port()
+        self.address = f"tcp://127.0.0.1:{self.port}"
+        self.processes: list[subprocess.Popen[bytes]] = []
+
+    def scheduler(self) -> subprocess.Popen[bytes]:
+        where = ["--host", "127.0.0.1", "--port", str(self.port), "--no-dashboard"]
+        process = self._start("distributed.cli.dask_scheduler", *where)
+        wait_until(lambda: self._answers() or process.poll() is not None)
+        assert process.poll() is None
+        return process
+
+    def worker(self, name: str, odd: str = "", **environment: str) -> subprocess.Popen[bytes]:
+        """A worker with one slot; ``odd`` is code that it runs before anything else."""
+        if odd:
+            folder = self.root / f"odd-{name}"
+            folder.mkdir()
+            (folder / "sitecustomize.py").write_text(odd)
+            environment["PYTHONPATH"] = f"{folder}:{REPOSITORY}"
+        return self._start(
+            "distributed.cli.dask_worker",
+            *(self.address, "--name", name, "--nthreads", "1", "--no-nanny", "--no-dashboard"),
+            **environment,
+        )
+
+    def stop(self) -> None:
+        for process in self.processes:
+            process.kill()
+            process.wait()
+
+    def _start(self, module: str, *arguments: str, **environment: str) -> subprocess.Popen[bytes]:
+        log = (self.root / f"{module}-{len(self.processes)}.log").open("wb")
+        process = subprocess.Popen(
+            [sys.executable, "-m", module, *arguments],
+            cwd=self.root / "course",
+            env={**os.environ, "PYTHONPATH": str(REPOSITORY), **self.environment, **environment},
+            stdout=log,
+            stderr=log,
+        )
+        log.close()
+        self.processes.append(process)
+        return process
+
+    def _answers(self) -> bool:
+        with socket.socket() as line:
+            return line.connect_ex(("127.0.0.1", self.port)) == 0

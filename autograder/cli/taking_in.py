@@ -1,0 +1,108 @@
+"""What `grade`, `regrade` and `intake` share: submissions with their people and times."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Sequence
+from datetime import datetime
+from pathlib import Path
+
+from autograder.course import Course
+from autograder.errors import UsageError
+from autograder.gradebook import Gradebook
+from autograder.intake.class_list import ClassList
+from autograder.intake.find import take_in
+from autograder.intake.handout import handout_of
+from autograder.intake.layouts.layout import Context
+from autograder.intake.submissions import Submission, Unreadable, read_submission
+from autograder.intake.summary import Summary, summarise
+from autograder.intake.times import read_times
+
+_TRUST = "trust_times"
+
+
+def take_in_paths(
+    parsed: argparse.Namespace, course: Course, class_list: ClassList, book: Gradebook | None
+) -> Summary:
+    """What is at the paths, whose it is and when it was handed in.
+
+    Raises:
+        UsageError: if there is nothing, or if it is not clear what it is.
+    """
+    for path in parsed.paths:
+        if not path.exists():
+            raise UsageError(f"There is nothing at {path}; name a file or folder that exists.")
+    late = class_list.late
+    context = Context(
+        course.settings,
+        handout_of(course),
+        class_list.students,
+        late.due + late.grace if late else None,
+        class_list.zone,
+    )
+    known = _known_keys(book) if book is not None else {}
+    intake = take_in(parsed.paths, course.settings, context, parsed.layout, known)
+    if not intake.submissions:
+        why = (
+            f": {intake.passed_over[0].place} was passed over, it is {intake.passed_over[0].reason}"
+        )
+        raise UsageError(
+            f"There are no submissions in {', '.join(map(str, parsed.paths))}"
+            f"{why if intake.passed_over else ''}."
+        )
+    summary = settle(parsed, class_list, intake.submissions, book)
+    summary.passed_over = intake.passed_over
+    summary.rules = intake.rules
+    summary.warnings = [*intake.warnings, *summary.warnings]
+    return summary
+
+
+def settle(
+    parsed: argparse.Namespace,
+    class_list: ClassList,
+    submissions: Sequence[Submission],
+    book: Gradebook | None,
+) -> Summary:
+    """Whose submissions are and when they were handed in."""
+    times = _times(parsed, class_list)
+    return summarise(submissions, class_list, times, _trusted(parsed, book))
+
+
+def unreadable_students(course: Course, summary: Summary) -> frozenset[str]:
+    """Those whose submission cannot be read at all; each is opened for this."""
+    handout = handout_of(course)
+    found = set()
+    for row in summary.rows:
+        try:
+            read_submission(row.submission, course.settings, handout)
+        except Unreadable:
+            found.add(row.submission.student)
+    return frozenset(found)
+
+
+def _known_keys(book: Gradebook) -> dict[tuple[str, str], str]:
+    known = {}
+    for record in book.records():
+        origin = record.origin
+        prefix = origin.prefix or record.graded.submission.path.name
+        known[origin.layout, prefix] = record.student
+    return known
+
+
+def _times(parsed: argparse.Namespace, class_list: ClassList) -> dict[str, datetime]:
+    """The table that is given, or `times.csv` beside the submissions or the gradebook."""
+    if parsed.times is not None:
+        return read_times(parsed.times, class_list.zone)
+    folders: list[Path] = [path for path in getattr(parsed, "paths", ()) if path.is_dir()]
+    for folder in (*folders, parsed.out):
+        if (folder / "times.csv").is_file():
+            return read_times(folder / "times.csv", class_list.zone)
+    return {}
+
+
+def _trusted(parsed: argparse.Namespace, book: Gradebook | None) -> bool:
+    if parsed.trust_times is None:
+        return book is not None and book.setting(_TRUST) == "yes"
+    if book is not None and not getattr(parsed, "dry_run", False):
+        book.set(_TRUST, "yes" if parsed.trust_times else "no")
+    return bool(parsed.trust_times)

@@ -1,0 +1,272 @@
+"""Finds submissions: which layout a download has, and who handed in what in it.
+
+The layout is recognised by its own marks or given; what has none is read by the rule of
+`autograder.intake.layouts.plain`. A zip is looked into only where it was given itself or is the
+only thing there: what a student's zip holds can never become somebody else's submission.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+
+from autograder.course import Settings
+from autograder.errors import UsageError
+from autograder.intake.archive import JOINERS, shown
+from autograder.intake.layouts import LAYOUTS, plain
+from autograder.intake.layouts.layout import Context, Entry, Found, PassedOver, is_reports, visible
+from autograder.intake.layouts.plain import Verdict
+from autograder.intake.origin import Origin
+from autograder.intake.place import (
+    DiskPlace,
+    Group,
+    Place,
+    as_folder_if_readable,
+    is_zip,
+)
+from autograder.intake.submissions import Submission, student_name
+
+LAYOUT_NAMES = (*(layout.name for layout in LAYOUTS), plain.CLASS, plain.ONE)
+_DEEPEST = 4  # folders above the one that holds the class
+
+
+@dataclass
+class Intake:
+    """What was found: the submissions, what was passed over and why, and how it was read."""
+
+    submissions: list[Submission] = field(default_factory=list)
+    passed_over: list[PassedOver] = field(default_factory=list)
+    rules: list[str] = field(default_factory=list)
+    warnings: list[str] = field(default_factory=list)
+
+
+def take_in(
+    paths: Collection[Path],
+    settings: Settings,
+    context: Context | None = None,
+    layout: str | None = None,
+    known_keys: Mapping[tuple[str, str], str] | None = None,
+) -> Intake:
+    """The submissions at the given paths, each of them a submission, a class or a download.
+
+    ``layout`` says how to read them, whatever their marks. ``known_keys`` are the students' keys
+    that a gradebook has already, by layout and prefix, so that nobody gets a second one.
+
+    Raises:
+        UsageError: if a path does not exist, or if it is not clear what it is.
+    """
+    context = context or Context(settings)
+    for path in paths:
+        if not path.exists() and not path.is_symlink():
+            raise UsageError(
+                f"{path} does not exist; give a submission or a folder of submissions."
+            )
+    groups: dict[Path, list[Place]] = {}
+    for path in dict.fromkeys(_absolute(path) for path in paths):
+        groups.setdefault(path.parent, []).append(DiskPlace(path))
+    found = [_find_group(places, context, layout) for places in groups.values()]
+    entries = [entry for one in found for entry in one.entries]
+    return Intake(
+        _with_unique_keys(entries, known_keys or {}),
+        [passed for one in found for passed in one.passed_over],
+        list(dict.fromkeys(one.rule for one in found if one.entries)),
+        [warning for one in found for warning in one.warnings],
+    )
+
+
+def _absolute(path: Path) -> Path:
+    """The path from the root; a link in its last part stays one."""
+    if path.name in ("", ".."):
+        return path.resolve()
+    return path.parent.resolve() / path.name
+
+
+def _find_group(places: Sequence[Place], context: Context, layout: str | None) -> Found:
+    """What is at paths that lie side by side."""
+    first = places[0]
+    parent = first.piece.path.parent
+    group = Group(parent.name, places, replace(first.piece, path=parent))
+    if layout == plain.ONE:
+        return Found("plain", plain.RULE_ONE, [plain.one_entry(place) for place in places])
+    if len(places) > 1:
+        return _find(group, context, layout)
+    # A single path may have the mark itself, as a student's folder out of a Moodle download has.
+    if layout is None:
+        if first.is_folder and not first.is_link and visible(first) == []:
+            raise UsageError(f"There is nothing in {shown(first.text())}.")
+        for known in LAYOUTS:
+            if known.recognises(group):
+                return known.read(group, context)
+    return _find_single(first, context, layout)
+
+
+def _find_single(place: Place, context: Context, layout: str | None) -> Found:
+    """A path given by itself: a zip may hold a class."""
+    if place.is_link or not (place.is_folder or is_zip(place)):
+        return Found("plain", plain.RULE_ONE, [plain.one_entry(place)])
+    if place.is_folder:
+        return _find(place, context, layout)
+    if layout is None and plain._is_person(place, context):
+        return Found("plain", plain.RULE_ONE, [plain.one_entry(place)])
+    inside = as_folder_if_readable(place)
+    if inside is None:
+        return Found("plain", plain.RULE_ONE, [plain.one_entry(place)])
+    found = _look(inside, context, layout, is_archive=True)
+    return found or Found("plain", plain.RULE_ONE, [plain.one_entry(place)])
+
+
+def _find(folder: Place, context: Context, layout: str | None) -> Found:
+    found = _look(folder, context, layout, is_archive=False)
+    return found or Found("plain", plain.RULE_ONE, [plain.one_entry(folder)])
+
+
+def _look(
+    folder: Place, context: Context, layout: str | None, is_archive: bool, depth: int = 0
+) -> Found | None:
+    """The class in a folder or just below it; None if it is one submission."""
+    for known in LAYOUTS:
+        if known.recognises(folder) if layout is None else known.name == layout:
+            found = (
+                known.read(folder, context) if layout is None else _forced(known, folder, context)
+            )
+            if found is not None:
+                return found
+    if layout == plain.CLASS:
+        return plain.read_class(folder, context)
+    if depth < _DEEPEST:
+        below = _look_below(folder, context, layout, is_archive, depth)
+        if below is not None:
+            return below
+    if layout is not None:
+        raise UsageError(
+            f"{shown(folder.text())} does not look like a download of {layout}: nothing in it is "
+            "named so."
+        )
+    verdict = plain.judge(folder, context, is_archive)
+    if verdict is Verdict.UNCLEAR:
+        raise plain.unclear(folder, context)
+    if verdict is Verdict.CLASS or (verdict is Verdict.EMPTY and not is_archive and depth == 0):
+        return plain.read_class(folder, context)
+    return None
+
+
+def _forced(known: object, folder: Place, context: Context) -> Found | None:
+    """A layout that is asked for, where at least one entry fits it."""
+    found: Found = known.read(folder, context)  # type: ignore[attr-defined]
+    return found if found.entries else None
+
+
+def _look_below(
+    folder: Place, context: Context, layout: str | None, is_archive: bool, depth: int
+) -> Found | None:
+    """The class one folder further down, where there is nothing else; or several downloads."""
+    wrapped = plain.is_wrapped(folder)
+    if wrapped is not None:
+        if plain._is_person(wrapped, context) and layout is None:
+            return None
+        inner = is_archive or not isinstance(wrapped, DiskPlace)
+        found = _look_or_none(wrapped, context, layout, inner, depth + 1)
+        return _beside(folder, found, wrapped)
+    folders = [place for place in visible(folder) if place.is_folder and not is_reports(place)]
+    work = [place for place in visible(folder) if place.is_folder or is_zip(place)]
+    if len(folders) < 2 or len(work) > len(folders):
+        return None
+    several = []
+    for place in folders:
+        marked = any(known.recognises(place) for known in LAYOUTS)
+        many = len(plain._signs(place, context).of_class) >= 2
+        if not (marked or (many and plain.judge(place, context) is Verdict.CLASS)):
+            return None
+        if plain._is_person(place, context):
+            return None
+        several.append(_look_or_none(place, context, layout, is_archive, depth + 1))
+    if not all(several):
+        return None
+    joined = Found()
+    for found in several:
+        assert found is not None
+        joined.layout, joined.rule = found.layout, found.rule
+        joined.entries += found.entries
+        joined.passed_over += found.passed_over
+        joined.warnings += found.warnings
+    return joined
+
+
+def _look_or_none(
+    folder: Place, context: Context, layout: str | None, is_archive: bool, depth: int
+) -> Found | None:
+    try:
+        return _look(folder, context, layout, is_archive, depth)
+    except UsageError:
+        if layout is None and depth < 2:
+            raise
+        return None
+
+
+def _beside(folder: Place, found: Found | None, wrapped: Place) -> Found | None:
+    """Names also what lies beside the folder of the class."""
+    if found is None:
+        return None
+    for place in folder.children():
+        if place.name != wrapped.name:
+            reason, needs_person = plain._why_not(place, Context(Settings()))
+            found.pass_over(place, reason or "lies beside the folder of the class", needs_person)
+    return found
+
+
+def _with_unique_keys(
+    entries: Sequence[Entry], known: Mapping[tuple[str, str], str]
+) -> list[Submission]:
+    """Each entry with a key of its own: that of the gradebook, the name, or the name and a number.
+
+    Of several with one name those that a system tells apart get its number behind the name; of the
+    others the second becomes ``ada (2)``, and all say so.
+    """
+    by_name: dict[str, list[Entry]] = {}
+    for entry in entries:
+        by_name.setdefault(_alike(student_name(entry.key)), []).append(entry)
+    taken = {_alike(key) for key in known.values()}
+    used: set[str] = set()
+    submissions: list[Submission] = []
+    for entry in entries:
+        name = student_name(entry.key)
+        same = by_name[_alike(name)]
+        notes = entry.notes
+        key = known.get((entry.origin.layout, entry.origin.prefix))
+        if key in used:
+            key = None
+        if len(same) > 1 and not entry.apart:
+            names = ", ".join(shown(other.origin.prefix) for other in same[:5])
+            notes = (
+                f"Several submissions are named {name} ({names}); each is marked by itself.",
+                *notes,
+            )
+        if key is None:
+            first = same[0] is entry and not entry.apart
+            key = (
+                name
+                if len(same) == 1 or first
+                else f"{name} ({entry.apart or _place(entry, same)})"
+            )
+            number = 2
+            wanted = key
+            while _alike(key) in taken or (key != name and _alike(key) in by_name):
+                key = f"{wanted} ({number})"
+                number += 1
+            taken.add(_alike(key))
+        used.add(key)
+        submissions.append(Submission(key, _path(entry.origin), notes, entry.origin))
+    return submissions
+
+
+def _place(entry: Entry, same: Sequence[Entry]) -> int:
+    return next(n for n, other in enumerate(same, 1) if other is entry)
+
+
+def _alike(name: str) -> str:
+    return "".join(c for c in name if c not in JOINERS).casefold()
+
+
+def _path(origin: Origin) -> Path:
+    return origin.pieces[0].path
