@@ -61,7 +61,7 @@ def _right_but(
     if all("changed" in outcomes[i] for i in wrong):
         return Diagnosis(
             "changes its input",
-            "It looks as if the values are right, but the input is changed in place: copy it first.",
+            "It looks as if the values are right, but the input is changed in place: use a copy.",
         )
     if all("draws" in cases[i] and "changed" not in outcomes[i] for i in wrong):
         return Diagnosis(
