@@ -25,7 +25,7 @@ def marker(request) -> Marker:
 
 def mark(marker: Marker, id: str, response: object) -> Mark:
     """Marked as the grader does it: evaluated over there, marked here."""
-    return marker.mark(id, evaluate(response, marker.probe(id).sent))
+    return marker.mark(id, evaluate(response, marker.drawn(id).probe))
 
 
 def first_enough(clean: Fraction) -> int:

@@ -25,7 +25,7 @@ from autograder.course import Course, load_course
 from autograder.course.questions import Question
 from autograder.errors import CourseError
 from autograder.kinds.registry import kind_of
-from autograder.marking.make_probe import random_numbers
+from autograder.marking.draw import random_numbers
 from autograder.marking.marker import Marker
 from autograder.marking.mutants.clones import course_sources
 from autograder.marking.mutants.mutant import MOST_SECONDS, Mutant, OutOfTime, Trial
@@ -181,7 +181,7 @@ class _Bench:
                 response = kind.variant(question, function)
             except Exception as error:
                 return f"it cannot be made: {type(error).__name__}: {error}"
-            mark = marker.mark(question.id, evaluate(response, marker.probe(question.id).sent))
+            mark = marker.mark(question.id, evaluate(response, marker.drawn(question.id).probe))
             if mark.credit != 1:
                 return f"with seed {seed} it gets {mark.credit:g} credit: {mark.feedback}"
         return ""

@@ -64,7 +64,8 @@ def prove_course(
     with Sandbox(course) as sandbox:
         report("solved notebooks")
         for mark in grade_contents(_contents([b.text for b in solved], course), marker, sandbox):
-            if mark.status != "right":
+            by_hand = kind_of(course.questions[mark.question]).by_hand
+            if mark.status != ("recorded" if by_hand else "right"):
                 problems.append(
                     f"{mark.question}: the solved notebook is marked {mark.status}: {mark.feedback}"
                 )
@@ -99,7 +100,7 @@ def _prove_answer(course: Course, question: Question, answer: Answer) -> Iterato
     for seed in SEEDS:
         marker = Marker(course, seed)
         for alternative in answer.alternatives:
-            response = kind.response_like(question, alternative, marker.probe(question.id))
+            response = kind.response_like(question, alternative, marker.drawn(question.id))
             if response is None:
                 continue
             mark = marker.mark(question.id, response)

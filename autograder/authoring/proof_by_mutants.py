@@ -45,7 +45,7 @@ def kept_promises(course: Course) -> Iterator[str]:
 def _promises(course: Course, marker: Marker) -> Iterator[tuple[str, str, list[str]]]:
     for id, answer in course.key.items():
         kind = kind_of(course.question(id))
-        for promise, cases in kind.promises(answer, course.root, marker.probe(id)):
+        for promise, cases in kind.promises(answer, course.root, marker.drawn(id)):
             yield id, promise, cases
 
 

@@ -25,6 +25,8 @@ from autograder.cli import (
     feedback,
     grade,
     intake,
+    mark,
+    merge,
     note,
     override,
     regrade,
@@ -32,14 +34,15 @@ from autograder.cli import (
     show,
     similar,
 )
-from autograder.cli.status import BROKEN, DONE, WRONG_USAGE
+from autograder.cli.status import BROKEN, DONE, INTERRUPTED, WRONG_USAGE
 from autograder.errors import AutograderError, UsageError
+from autograder.reports.plain_text import make_plain
 
-__all__ = ["BROKEN", "DONE", "WRONG_USAGE", "main"]
+__all__ = ["BROKEN", "DONE", "INTERRUPTED", "WRONG_USAGE", "main"]
 
 _COMMANDS = (
     *(intake, grade, regrade, show, override, note),
-    *(adjust, export, feedback, similar, release),
+    *(mark, merge, adjust, export, feedback, similar, release),
     *(check, build, doctor),
 )
 
@@ -47,8 +50,10 @@ _COMMANDS = (
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run one command and return the exit status.
 
-    0: done, whatever the marks; 1: the course or the run is broken; 2: wrong usage.
+    0: done, whatever the marks; 1: the course or the run is broken, or needs a person; 2: wrong
+    usage; 130: interrupted.
     """
+    make_plain(sys.stdout, sys.stderr)
     parsed = _parser().parse_args(arguments)
     console = Console(highlight=False)
     try:
@@ -63,7 +68,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         print(
             "autograder: stopped. What was graded is kept; run it again to go on.", file=sys.stderr
         )
-        return BROKEN
+        return INTERRUPTED
     except BrokenPipeError:  # `autograder show ada | head`
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return DONE

@@ -13,11 +13,11 @@ from pathlib import Path
 from rich.console import Console
 
 from autograder.cli.common import print_json
-from autograder.cli.status import BROKEN, DONE
+from autograder.cli.status import BROKEN, DONE, INTERRUPTED
 from autograder.course import Course
 from autograder.errors import CourseError
 from autograder.gradebook import Gradebook, Record, Run, view_class
-from autograder.grading.changes import Change, changes
+from autograder.gradebook.changes import Change, changes
 from autograder.grading.graded import Graded
 from autograder.grading.spread import Spread
 from autograder.grading.threads import Threads
@@ -62,6 +62,7 @@ def grade_and_report(
         warn("Student code runs with your own rights (--no-sandbox); every report says so.")
     handed_in = snapshot([piece.path for entry in submissions for piece in entry.pieces])
     began = time.monotonic()
+    interrupted = False
     with progress_bar() as progress:
         task = progress.add_task("", total=len(submissions))
 
@@ -84,9 +85,13 @@ def grade_and_report(
         with spread:
             try:
                 grade_class(submissions, course, spread, done, questions, known)
+            except KeyboardInterrupt:
+                interrupted = True
             finally:
                 if spread.isolation and not parsed.dry_run:
                     run = book.note_isolation(run, spread.isolation)
+    if interrupted:
+        return _after_interruption(parsed, console, course, book, summary, graded)
     _look_again(summary, graded, handed_in)
     changed = changes(before, graded)
     if parsed.dry_run:
@@ -156,6 +161,29 @@ def _look_again(
             f"{len(altered)} files changed while they were graded ({named}); what was handed in "
             "was read before or after that. Look at them, and grade again."
         )
+
+
+def _after_interruption(
+    parsed: argparse.Namespace,
+    console: Console,
+    course: Course,
+    book: Gradebook,
+    summary: Summary,
+    graded: list[Graded],
+) -> int:
+    """Write the reports of what is done, and say how to go on."""
+    count = len(summary.rows)
+    if graded and not parsed.dry_run:
+        students = {entry.submission.student for entry in graded}
+        rows = [row for row in summary.rows if row.submission.student in students]
+        book.set_lateness({row.submission.student: row.lateness() for row in rows})
+        options = Options(parsed.out, students, summary.class_list)
+        write_reports(course, book, options, console)
+        kept = "their reports are written; run it again to go on"
+    else:
+        kept = "nothing was written"
+    warn(f"Stopped: {len(graded)} of {count} were graded; {kept}.")
+    return INTERRUPTED
 
 
 def _require_packages(course: Course) -> None:

@@ -4,12 +4,26 @@ from __future__ import annotations
 
 import argparse
 import json
+from collections.abc import Mapping
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from rich.console import Console
 
-from autograder.cli.common import Commands, add_json, add_out, gradebook_path, load, print_json
+from autograder.cli.common import (
+    Commands,
+    add_class_list,
+    add_json,
+    add_out,
+    find_class_list,
+    gradebook_path,
+    load,
+    print_json,
+)
 from autograder.cli.status import DONE
+
+if TYPE_CHECKING:
+    from autograder.reports.similarity import Code, Pair
 
 
 def add(commands: Commands) -> None:
@@ -32,24 +46,30 @@ def add(commands: Commands) -> None:
         help="the share of the shorter one's own code that both must have (default: 0.5)",
     )
     add_out(similar)
+    add_class_list(similar)
     add_json(similar)
     similar.set_defaults(run=run)
 
 
 def run(parsed: argparse.Namespace, console: Console) -> int:
-    """Compare everybody with everybody, print the pairs and write similar.csv."""
+    """Compare everybody with everybody and with what is public; print it, write similar.csv."""
     from autograder.gradebook import Gradebook
+    from autograder.gradebook.record import names_of
+    from autograder.gradebook.view import with_people
     from autograder.intake.submissions import Unreadable, find_submissions, read_submission
     from autograder.reports.files import write_csv
     from autograder.reports.similarity import fingerprints, handout_cells, similar_pairs
     from autograder.reports.terminal import printable, progress_bar
 
     course = load(parsed)
+    names: dict[str, str] = {}
     if parsed.paths:
         submissions = find_submissions(parsed.paths, course.settings)
     else:
         with Gradebook(gradebook_path(parsed), create=False) as book:
-            submissions = [record.graded.submission for record in book.records()]
+            records, _ = with_people(book.records(), find_class_list(parsed, book))
+            submissions = [record.graded.submission for record in records]
+            names = names_of(records)
     untouched = [
         json.loads(path.read_text(encoding="utf-8"))
         for path in sorted((course.root / "notebooks").glob("*.ipynb"))
@@ -67,33 +87,65 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
                 continue
             cells = [cell for book in contents.notebooks.values() for cell in book.cells]
             students[submission.student] = fingerprints(cells)
-        pairs = similar_pairs(students, handout, parsed.least, lambda: progress.advance(task))
+        pairs = similar_pairs(
+            *(students, handout, parsed.least),
+            progress=lambda: progress.advance(task),
+            public=_public(course.root),
+        )
     if parsed.json:
         print_json([vars(pair) for pair in pairs])
         return DONE
-    rows: list[list[object]] = [["first", "second", "share", "fingerprints", "line", "other_line"]]
-    rows += [
-        [p.first, p.second, round(p.share, 3), p.fingerprints, *map(printable, p.lines)]
-        for p in pairs
+    header = ["first", "second", "share", "fingerprints", "line", "other_line"]
+    rows: list[list[object]] = [
+        [*header, "share_of_first", "share_of_second", "name", "other_name"]
     ]
+    for p in pairs:
+        row: list[object] = [p.first, p.second, round(p.share, 3), p.fingerprints]
+        row += [*map(printable, p.lines), round(p.first_share, 3)]
+        row += ["" if p.second_share is None else round(p.second_share, 3)]
+        rows.append([*row, names.get(p.first, p.first), names.get(p.second, p.second)])
     path = parsed.out / "similar.csv"
     write_csv(path, rows)
     for pair in pairs:
         console.print(
-            printable(
-                f"{pair.share:4.0%}  {pair.first} and {pair.second}, at “{pair.lines[0][:60]}” and "
-                f"“{pair.lines[1][:60]}”"
-            ),
+            printable(_sentence(pair, names)),
             markup=False,
             soft_wrap=True,
         )
     console.print(
-        f"{len(pairs)} pairs of {len(students)} submissions are alike; {path} is written. "
+        f"{len(pairs)} pairs among {len(students)} submissions and what is public are alike; "
+        f"{path} is written. "
         "Likeness is a reason to read both, not a proof.",
         markup=False,
         soft_wrap=True,
     )
     return DONE
+
+
+def _sentence(pair: Pair, names: Mapping[str, str]) -> str:
+    first, second = (names.get(name, name) for name in (pair.first, pair.second))
+    alike = f"{pair.first_share:.0%} of {first}'s own work"
+    if pair.second_share is not None:
+        alike += f" and {pair.second_share:.0%} of {second}'s"
+    places = f"“{pair.lines[0][:60]}” and “{pair.lines[1][:60]}”"
+    return f"{pair.share:4.0%}  {first} and {second}: {alike} is alike, as at {places}"
+
+
+def _public(root: Path) -> dict[str, Code]:
+    """What anybody can read who finds the repository: the solved notebooks and the references."""
+    from autograder.reports.similarity import fingerprints, handout_cells
+
+    solved = [
+        json.loads(path.read_text(encoding="utf-8"))
+        for path in sorted((root / "solutions/notebooks").glob("*.ipynb"))
+    ]
+    references = [
+        path.read_text(encoding="utf-8") for path in sorted((root / "solutions").rglob("*.py"))
+    ]
+    return {
+        "the solved notebooks": fingerprints(handout_cells(solved)),
+        "the references": fingerprints(references),
+    }
 
 
 def _share(text: str) -> float:

@@ -1,3 +1,3 @@
 """Exit statuses."""
 
-DONE, BROKEN, WRONG_USAGE = 0, 1, 2
+DONE, BROKEN, WRONG_USAGE, INTERRUPTED = 0, 1, 2, 130

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from autograder.exchange.reasons import REASONS
-from autograder.intake.notebook_reader import keep_response
+from autograder.exchange.responses import keep_response
 
 _CLASS_NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]{0,60}")
 _MAX_TEXT = 200

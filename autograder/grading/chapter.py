@@ -14,10 +14,10 @@ from autograder.course.questions import Question
 from autograder.exchange.replies import NOT_PLAIN
 from autograder.grading.told import defining_cell, import_notes, in_words, shown_code
 from autograder.intake.submissions import Contents
+from autograder.kinds.drawn import Drawn
 from autograder.kinds.registry import kind_of
 from autograder.marking import Mark, not_attempted, stopped
 from autograder.marking.marker import Marker
-from autograder.marking.probe import Probe
 from autograder.sandbox.launcher import Sandbox, Session, Stopped
 
 Opening = dict[str, Any] | Stopped | None
@@ -137,11 +137,11 @@ def _mark_without_asking(question: Question, work: _Work, ran: _Ran, marker: Mar
 
 def _open(question: Question, session: Session, marker: Marker) -> Opening:
     """What came back for the question's opening; None if it has none."""
-    sent = marker.probe(question.id).opening
-    if sent is None or question.name is None:
+    probe = marker.drawn(question.id).opening
+    if probe is None or question.name is None:
         return None
     try:
-        return session.evaluate(question.name, sent)
+        return session.evaluate(question.name, probe)
     except Stopped as stop:
         return stop
 
@@ -152,7 +152,7 @@ def _mark_named(
     """Mark a response that a variable or a function of the notebook holds."""
     assert question.name is not None
     try:
-        response = _ask(question.name, session, marker.probe(question.id), opening)
+        response = _ask(question.name, session, marker.drawn(question.id), opening)
     except Stopped as stop:
         return stopped(question, stop.status, _response_stopped(stop))
     reason = response.get("reason")
@@ -169,7 +169,7 @@ def _mark_named(
     return marker.mark(question.id, response, _line(ran.understood.get(question.name, "")))
 
 
-def _ask(name: str, session: Session, probe: Probe, opening: Opening) -> dict[str, Any]:
+def _ask(name: str, session: Session, drawn: Drawn, opening: Opening) -> dict[str, Any]:
     """What comes back for the whole probe, of which the opening was put before.
 
     Raises:
@@ -179,9 +179,9 @@ def _ask(name: str, session: Session, probe: Probe, opening: Opening) -> dict[st
         raise opening
     if opening is not None and opening.get("state") != "given":
         return opening
-    if opening is not None and not probe.rest["cases"]:
+    if opening is not None and not drawn.rest["cases"]:
         return opening
-    response = session.evaluate(name, probe.rest)
+    response = session.evaluate(name, drawn.rest)
     if opening is None or response.get("state") != "given":
         return response
     first, others = opening.get("outcomes"), response.get("outcomes")
@@ -224,10 +224,10 @@ def _ask_what_was_raised(
 
 def _public_call(question: Question, marker: Marker) -> dict[str, Any] | None:
     """The probe cut to its first case, if that is one that students may see."""
-    probe = marker.probe(question.id)
-    if kind_of(question).example(probe) is None:
+    drawn = marker.drawn(question.id)
+    if kind_of(question).example(drawn) is None:
         return None
-    return {**probe.sent, "cases": probe.sent["cases"][:1], "tell": True}
+    return {**drawn.probe, "cases": drawn.probe["cases"][:1], "tell": True}
 
 
 def _with_code(mark: Mark, question: Question, work: _Work, said: dict[str, str]) -> Mark:

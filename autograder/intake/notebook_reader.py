@@ -1,8 +1,8 @@
 """Reads an untrusted notebook file: its code, and the receipts among its outputs.
 
-Only the standard library is used, and nothing of the notebook is run. Run as a program it reads a
-notebook from standard input under a memory limit, which is how `read_large_notebook` keeps a file
-made to exhaust memory away from the grader.
+Only the standard library is used, and nothing of the notebook is run. A large file is read in a
+process of its own under a memory limit, so that one made to exhaust memory stays away from the
+grader.
 """
 
 from __future__ import annotations
@@ -12,16 +12,21 @@ import json
 import subprocess
 import sys
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Any
 
-RECEIPT = "application/vnd.autograder.response+json"
+from autograder.exchange.responses import RECEIPT, keep_response
+
 LARGE = 4 * 2**20  # bytes; JSON of this size needs at most about 150 MB while it is read
 MAX_CELLS = 2000
 MAX_CODE = 2 * 2**20  # characters in all code cells together
-MAX_RESPONSE = 20_000  # characters of one response as JSON
-MAX_DEPTH = 32
 _CHILD_MEMORY = 2**30
 _CHILD_SECONDS = 60
+# Without installed packages and without the current folder: only this package is to be found.
+_READ = (
+    "import sys; sys.path.append(sys.argv[1]); "
+    "from autograder.intake.notebook_reader import read_for_parent; read_for_parent()"
+)
 _TOO_LARGE = "is too large to be read; clear its outputs and save it again."
 
 
@@ -118,42 +123,6 @@ def parse_json(data: bytes, name: str) -> Any:
         raise Unreadable(f"{name} holds data that no notebook holds; save it again.") from None
 
 
-def plain_response(value: Any, depth: int = 0) -> Any:
-    """A response from an untrusted file as clean JSON: strings are valid text, numbers are finite.
-
-    Raises:
-        ValueError: if it is nested too deeply.
-    """
-    if depth > MAX_DEPTH:
-        raise ValueError("nested too deeply")
-    if isinstance(value, str):
-        return value.encode("utf-8", "replace").decode()
-    if isinstance(value, list):
-        return [plain_response(entry, depth + 1) for entry in value]
-    if isinstance(value, dict):
-        return {
-            plain_response(str(key)): plain_response(entry, depth + 1)
-            for key, entry in value.items()
-        }
-    if isinstance(value, float) and not (abs(value) < float("inf")):
-        return None
-    return value
-
-
-def keep_response(id: Any, response: Any) -> dict[str, Any]:
-    """``{id: response}`` if both are what a course can hold, else an empty dictionary.
-
-    The response may be anything that a process of a student sent, arrays included.
-    """
-    if not isinstance(id, str) or not 0 < len(id) <= 40 or not id.isprintable():
-        return {}
-    try:
-        plain = plain_response(response)
-        return {id: plain} if len(json.dumps(plain)) <= MAX_RESPONSE else {}
-    except (TypeError, ValueError, RecursionError):
-        return {}
-
-
 def _source(cell: dict[str, Any]) -> str:
     source = cell.get("source", cell.get("input", ""))
     if isinstance(source, list):
@@ -180,7 +149,7 @@ def _read_large(data: bytes, name: str) -> Notebook:
     """Read it in a process that may use only so much memory and time."""
     try:
         done = subprocess.run(
-            [sys.executable, "-I", "-S", __file__],
+            [sys.executable, "-I", "-S", "-c", _READ, str(Path(__file__).parents[2])],
             input=data,
             stdout=subprocess.PIPE,
             stderr=subprocess.DEVNULL,
@@ -198,7 +167,8 @@ def _read_large(data: bytes, name: str) -> Notebook:
     return Notebook(reply["cells"], reply["receipts"], notes)
 
 
-def _main() -> None:
+def read_for_parent() -> None:
+    """Read the notebook on standard input, within a limit, and answer on standard output."""
     gc.disable()  # what JSON gives holds no cycles, and looking for them takes most of the time
     try:
         import resource
@@ -216,7 +186,3 @@ def _main() -> None:
     except Unreadable as unreadable:
         reply = {"reason": str(unreadable)}
     json.dump(reply, sys.stdout)
-
-
-if __name__ == "__main__":
-    _main()

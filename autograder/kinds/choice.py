@@ -6,10 +6,10 @@ from abc import abstractmethod
 from pathlib import Path
 from typing import Any
 
+from autograder.kinds.drawn import Drawn
 from autograder.kinds.exercise import Exercise, heading
 from autograder.kinds.kind import A, Kind, Q
-from autograder.marking.mark import Mark, not_attempted
-from autograder.marking.probe import Probe
+from autograder.kinds.mark import Mark, not_attempted
 
 
 class ChoiceKind(Kind[Q, A]):
@@ -24,7 +24,7 @@ class ChoiceKind(Kind[Q, A]):
         """The right response as code, for the solved notebook."""
 
     def mark(
-        self, question: Q, answer: A, probe: Probe, response: Any, understood: str = ""
+        self, question: Q, answer: A, drawn: Drawn, response: Any, understood: str = ""
     ) -> Mark:
         if response is None:
             return not_attempted(question)

@@ -10,10 +10,10 @@ from typing import Any
 
 from autograder.errors import CourseError
 from autograder.exchange.reasons import REASONS
+from autograder.kinds.drawn import Drawn
 from autograder.kinds.exercise import Exercise, heading
 from autograder.kinds.kind import A, Kind, Q
-from autograder.marking.mark import Mark, not_attempted
-from autograder.marking.probe import Probe
+from autograder.kinds.mark import Mark, not_attempted
 
 FEWEST_MISTAKES = 2
 
@@ -26,7 +26,7 @@ class CodeKind(Kind[Q, A]):
         self,
         question: Q,
         answer: A,
-        probe: Probe,
+        drawn: Drawn,
         response: dict[str, Any],
         understood: str,
     ) -> Mark | None:
@@ -40,14 +40,14 @@ class CodeKind(Kind[Q, A]):
         return False  # nothing is kept but what was typed into a field
 
     def mark(
-        self, question: Q, answer: A, probe: Probe, response: Any, understood: str = ""
+        self, question: Q, answer: A, drawn: Drawn, response: Any, understood: str = ""
     ) -> Mark:
         response = response if isinstance(response, dict) else {}
-        mark = self._mark(question, answer, probe, response, understood)
+        mark = self._mark(question, answer, drawn, response, understood)
         return mark if mark.understood else replace(mark, understood=understood)
 
     def _mark(
-        self, question: Q, answer: A, probe: Probe, response: dict[str, Any], understood: str
+        self, question: Q, answer: A, drawn: Drawn, response: dict[str, Any], understood: str
     ) -> Mark:
         state, reason = _text(response.get("state")), _text(response.get("reason"))
         if state == "not attempted":
@@ -58,7 +58,7 @@ class CodeKind(Kind[Q, A]):
             feedback = f"Evaluating {question.name} raised an exception."
             return Mark(question.id, "error", 0.0, question.points, feedback)
         if state == "given":
-            mark = self.mark_given(question, answer, probe, response, understood)
+            mark = self.mark_given(question, answer, drawn, response, understood)
             if mark is not None:
                 return mark
         return Mark(

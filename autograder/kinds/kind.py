@@ -15,12 +15,12 @@ from typing import Any, ClassVar, Generic, TypeVar
 import numpy as np
 
 from autograder.kinds.answer import Alternative, Answer
+from autograder.kinds.drawn import Drawn
 from autograder.kinds.exercise import Exercise
+from autograder.kinds.mark import Mark
 from autograder.kinds.question import Question
 from autograder.kinds.toml_table import Table
-from autograder.marking.mark import Mark
 from autograder.marking.mutants.mutant import Trial
-from autograder.marking.probe import Probe
 
 Q = TypeVar("Q", bound=Question)
 A = TypeVar("A", bound=Answer)
@@ -34,12 +34,14 @@ class Kind(ABC, Generic[Q, A]):
     """
 
     name: ClassVar[str]
-    # Where what runs beside a student's code is: a module with ``evaluate(response, probe)``.
-    inside: ClassVar[str | None] = None
+    # The module whose ``evaluate(response, probe)`` runs beside a student's code; without one it is
+    # ``autograder.kinds.NAME.inside.evaluate``.
+    inside: ClassVar[str] = ""
     # Whether each part of a response is a small question of its own, with its own feedback, so that
     # what is wrong is told by the part and not by the alternative that matched.
     parts_stand_alone: ClassVar[bool] = False
     parts_heading: ClassVar[str] = "Parts"  # above the parts on the page of feedback
+    by_hand: ClassVar[bool] = False  # whether only a person can mark it, and marks are "recorded"
     # How many right responses in other clothes prove the key, where a course has any.
     fewest_variants: ClassVar[int] = 0
     has_field: ClassVar[bool] = False  # whether a response may be typed into a field
@@ -112,7 +114,7 @@ class Kind(ABC, Generic[Q, A]):
 
     # -- marked ----------------------------------------------------------------------------------
 
-    def make_probe(self, question: Q, answer: A, rng: np.random.Generator, root: Path) -> Probe:
+    def draw(self, question: Q, answer: A, rng: np.random.Generator, root: Path) -> Drawn:
         """Draw what is to be found out about a response, and what to expect of it.
 
         Args:
@@ -124,11 +126,15 @@ class Kind(ABC, Generic[Q, A]):
         Raises:
             CourseError: if the key names something that is not there.
         """
-        return Probe({"kind": self.name, "inside": self.inside})
+        return Drawn(self.base_probe())
+
+    def base_probe(self) -> dict[str, Any]:
+        """What every probe of this kind holds: who evaluates it."""
+        return {"kind": self.name, **({"inside": self.inside} if self.inside else {})}
 
     @abstractmethod
     def mark(
-        self, question: Q, answer: A, probe: Probe, response: Any, understood: str = ""
+        self, question: Q, answer: A, drawn: Drawn, response: Any, understood: str = ""
     ) -> Mark:
         """Mark a response: what is kept (None for nothing), or what came back for the probe.
 
@@ -136,7 +142,7 @@ class Kind(ABC, Generic[Q, A]):
         sent to the process that holds it.
         """
 
-    def example(self, probe: Probe) -> tuple[dict[str, Any], Any] | None:
+    def example(self, drawn: Drawn) -> tuple[dict[str, Any], Any] | None:
         """An input that students may see, with its right result, to draw beside theirs."""
         return None
 
@@ -185,7 +191,7 @@ class Kind(ABC, Generic[Q, A]):
         """What is wrong with a key that can be read, beyond what marking would show."""
         yield from ()
 
-    def response_like(self, question: Q, alternative: Alternative, probe: Probe) -> Any:
+    def response_like(self, question: Q, alternative: Alternative, drawn: Drawn) -> Any:
         """A response that is this alternative, as `mark` takes it; None if there is none."""
         return None
 
@@ -225,7 +231,7 @@ class Kind(ABC, Generic[Q, A]):
             answer: its key.
             proven: the references of all questions; each is changed for its own question only.
             root: the course's.
-            draw: the random numbers of a seed, as for `make_probe`.
+            draw: the random numbers of a seed, as for `draw`.
         """
         return None
 
@@ -233,16 +239,16 @@ class Kind(ABC, Generic[Q, A]):
         """The response that a function of ``solutions/variants`` stands for."""
         return function()
 
-    def promises(self, answer: A, root: Path, probe: Probe) -> list[tuple[str, list[str]]]:
+    def promises(self, answer: A, root: Path, drawn: Drawn) -> list[tuple[str, list[str]]]:
         """What a prompt promises to raise, and the names of the cases that test it."""
         return []
 
     def take_snapshot(
-        self, question: Q, answer: A, drawn: Probe, again: Probe
+        self, question: Q, answer: A, drawn: Drawn, again: Drawn
     ) -> tuple[dict[str, Any], list[str]] | None:
         """What a student bundle checks with, as plain data, and the mistakes it cannot tell.
 
-        ``drawn`` is a probe for this alone, so that its inputs grade nobody, and ``again`` another:
+        ``drawn`` was drawn for this alone, so that its inputs grade nobody, and ``again`` another:
         what is the same in both is the same in those that grade. None for a kind whose responses
         are only recorded there.
         """
@@ -250,7 +256,7 @@ class Kind(ABC, Generic[Q, A]):
 
     def snapshot_probe(self, question: Q, snapshot: dict[str, Any] | None) -> dict[str, Any]:
         """The probe that goes with a snapshot, or with none."""
-        return {"kind": self.name, "inside": self.inside}
+        return self.base_probe()
 
     def mark_snapshot(
         self, question: Q, snapshot: dict[str, Any], response: dict[str, Any]

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from autograder.kinds.mark import Mark
 from autograder.kinds.question import Question
-from autograder.marking.mark import Mark
 
 LATER = "The marks that count are given after you hand in, on other inputs."
 

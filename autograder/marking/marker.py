@@ -1,7 +1,7 @@
-"""Marks the responses of one run: holds the key, draws every probe once, and never runs a response.
+"""Marks the responses of one run: holds the key, draws each question once, runs no response.
 
 The grader uses it directly; a student's notebook talks to it in a process of its own
-(`autograder.student.marker_process`).
+(`autograder.marking.marker_process`).
 """
 
 from __future__ import annotations
@@ -10,10 +10,10 @@ from collections.abc import Collection
 from typing import Any
 
 from autograder.course import Course
+from autograder.kinds.drawn import Drawn
 from autograder.kinds.registry import kind_of
 from autograder.marking import Mark
-from autograder.marking.make_probe import make_probe
-from autograder.marking.probe import Probe
+from autograder.marking.draw import draw
 
 
 class Marker:
@@ -22,26 +22,24 @@ class Marker:
     def __init__(self, course: Course, seed: int) -> None:
         self.course = course
         self.seed = seed
-        self._probes: dict[str, Probe] = {}
+        self._drawn: dict[str, Drawn] = {}
 
-    def probe(self, id: str) -> Probe:
+    def drawn(self, id: str) -> Drawn:
         """What is sent to the student's process for a question, and what to expect of it.
 
         Raises:
             UsageError: if there is no such question.
             CourseError: if its key is broken.
         """
-        if id not in self._probes:
+        if id not in self._drawn:
             question = self.course.question(id)
-            self._probes[id] = make_probe(
-                question, self.course.key[id], self.seed, self.course.root
-            )
-        return self._probes[id]
+            self._drawn[id] = draw(question, self.course.key[id], self.seed, self.course.root)
+        return self._drawn[id]
 
     def prepare(self, ids: Collection[str] | None = None) -> None:
-        """Draw the probes of these questions, or of all, before several threads ask for them."""
+        """Draw for these questions, or for all, before several threads ask for them."""
         for id in self.course.questions if ids is None else ids:
-            self.probe(id)
+            self.drawn(id)
 
     def mark(self, id: str, response: Any, understood: str = "") -> Mark:
         """Mark a response: what a widget kept, or what came back for the question's probe.
@@ -50,5 +48,5 @@ class Marker:
         """
         question = self.course.question(id)
         return kind_of(question).mark(
-            question, self.course.key[id], self.probe(id), response, understood
+            question, self.course.key[id], self.drawn(id), response, understood
         )

@@ -13,10 +13,10 @@ from typing import Any
 from autograder.course import Course
 from autograder.errors import CourseError
 from autograder.exchange.reasons import REASONS
+from autograder.kinds.mark import Mark, not_attempted, stopped
+from autograder.kinds.pack import unpack
 from autograder.kinds.registry import kind_of
 from autograder.kinds.snapshot import wrong
-from autograder.marking.mark import Mark, not_attempted, stopped
-from autograder.marking.pack import unpack
 
 SNAPSHOTS = Path("notebooks/snapshots")
 

@@ -8,9 +8,9 @@ from __future__ import annotations
 from typing import Any
 
 from autograder.course import Chapter, Course
+from autograder.kinds.pack import pack
 from autograder.kinds.registry import kind_of
-from autograder.marking.make_probe import make_probe
-from autograder.marking.pack import pack
+from autograder.marking.draw import draw
 
 # The grader's seeds have 32 bits, so these inputs never grade anybody.
 SEED = 1 << 40
@@ -22,9 +22,7 @@ def chapter_snapshots(course: Course, chapter: Chapter) -> tuple[dict[str, Any],
     blind: list[str] = []
     for question in chapter.questions:
         answer = course.key[question.id]
-        drawn, again = (
-            make_probe(question, answer, seed, course.root) for seed in (SEED, SEED + 1)
-        )
+        drawn, again = (draw(question, answer, seed, course.root) for seed in (SEED, SEED + 1))
         taken = kind_of(question).take_snapshot(question, answer, drawn, again)
         if taken is not None:
             snapshot, missed = taken

@@ -9,7 +9,12 @@ from autograder.course import Course
 from autograder.gradebook.record import Record
 from autograder.marking import STATUSES
 from autograder.reports.files import write_csv
-from autograder.reports.statistics import common_mistakes, question_statistics, who_needs_help
+from autograder.reports.statistics import (
+    common_mistakes,
+    question_statistics,
+    section_of,
+    who_needs_help,
+)
 
 
 def write_class_csv(folder: Path, course: Course, records: Sequence[Record]) -> None:
@@ -38,8 +43,9 @@ def write_class_csv(folder: Path, course: Course, records: Sequence[Record]) -> 
         named = "yes" if mistake.named else "no"
         rows.append([mistake.question, mistake.name, named, len(mistake.students), names])
     write_csv(folder / "class_mistakes.csv", rows)
-    needy = {entry.student: "; ".join(entry.reasons) for entry in who_needs_help(course, records)}
+    needy = {entry.student: entry for entry in who_needs_help(course, records)}
     rows = [["student", "total", "status", "seconds", "needs_help", "problems"]]
+    rows[0] += ["name", "section", "below_half_in", "mistakes", "not_yet_marked"]
     for record in records:
         rows.append(
             [
@@ -47,8 +53,13 @@ def write_class_csv(folder: Path, course: Course, records: Sequence[Record]) -> 
                 record.total,
                 record.graded.status,
                 round(record.graded.seconds, 3),
-                needy.get(record.student, ""),
+                "; ".join(found.reasons) if (found := needy.get(record.student)) else "",
                 " ".join(record.graded.notes),
+                record.name,
+                section_of(record),
+                "; ".join(found.chapters) if found else "",
+                "; ".join(f"{id} {name}" for id, name in found.mistakes) if found else "",
+                " ".join(record.open),
             ]
         )
     write_csv(folder / "class_students.csv", rows)

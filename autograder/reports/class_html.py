@@ -8,9 +8,10 @@ import numpy as np
 
 from autograder.course import Course
 from autograder.gradebook import ClassView, Record, Run
-from autograder.reports.machine import most_points
+from autograder.reports.machine import most_for
 from autograder.reports.markdown import inline, text
 from autograder.reports.page import page, table
+from autograder.reports.people_html import Links, needy_html, to_do_html
 from autograder.reports.statistics import (
     FEWEST,
     STOPPED,
@@ -18,7 +19,6 @@ from autograder.reports.statistics import (
     QuestionStatistics,
     common_mistakes,
     question_statistics,
-    who_needs_help,
 )
 from autograder.reports.svg import (
     BLUE,
@@ -40,14 +40,14 @@ _BANDS = (
     (("not attempted", "recorded"), "not attempted", GREY),
 )
 _MOST_MISTAKES = 20
-_MOST_NAMES = 5
 
 
 def class_html(
     course: Course, records: Sequence[Record], run: Run | None, view: ClassView | None = None
 ) -> str:
     """The page; everything on it is also in the CSV files beside it."""
-    most = most_points(course)
+    most = most_for(course, records[0] if records else None)
+    links = Links(records)
     totals = np.array([record.total for record in records])
     statistics = question_statistics(course, records)
     header = ["<h1>The class</h1>"]
@@ -60,14 +60,16 @@ def class_html(
         f"from {totals.min():g} to {totals.max():g}.</p>"
     )
     if run is not None and run.isolation:
-        header.append(f'<p class="soft">Student code was kept in by: {text(run.isolation)}.</p>')
+        header.append(f'<p class="soft">Student code was isolated with {text(run.isolation)}.</p>')
+    to_do = to_do_html(view, links) if view is not None else ""
     sections = [
+        *([_section("What needs a person", to_do)] if to_do else []),
+        _section("Who needs help", needy_html(course, records, links)),
         _section("Points", _points(course, records, totals, most)),
         _section("Questions that look broken", _broken(statistics, len(records))),
         _section("Questions", _questions(statistics)),
-        _section("The most common mistakes", _mistakes(common_mistakes(course, records))),
-        _section("Who needs help", _needy(course, records, most)),
-        _section("Time and failures", _time_and_failures(records, run)),
+        _section("The most common mistakes", _mistakes(common_mistakes(course, records), links)),
+        _section("Time and failures", _time_and_failures(records, run, links)),
     ]
     footer = (
         "<p>The same as tables: class_questions.csv, class_mistakes.csv, class_students.csv, and "
@@ -220,52 +222,36 @@ def _free_place(
     return x, y
 
 
-def _mistakes(mistakes: Sequence[Mistake]) -> str:
+def _mistakes(mistakes: Sequence[Mistake], links: Links) -> str:
     named = [mistake for mistake in mistakes if mistake.named]
     others = [mistake for mistake in mistakes if not mistake.named]
     if not mistakes:
         return "<p>Nobody made a mistake that has a name.</p>"
     body = ""
     if named:
-        body += _mistake_table("Known mistakes, by how many students made them", named)
+        body += _mistake_table("Known mistakes, by how many students made them", named, links)
     if others:
-        body += _mistake_table("Where responses fail that are like no known mistake", others)
+        body += _mistake_table("Where responses fail that are like no known mistake", others, links)
     return body
 
 
-def _mistake_table(caption: str, mistakes: Sequence[Mistake]) -> str:
+def _mistake_table(caption: str, mistakes: Sequence[Mistake], links: Links) -> str:
     rows = [
-        [text(m.question), text(m.name), str(len(m.students)), _names(m.students)]
+        [text(m.question), text(m.name), str(len(m.students)), links.all(m.students, m.question)]
         for m in mistakes[:_MOST_MISTAKES]
     ]
     left = len(mistakes) - _MOST_MISTAKES
     more = f"<p>{left} more are in class_mistakes.csv.</p>" if left > 0 else ""
-    return table(caption, ["question", "mistake", "students", "for example"], rows, {2}) + more
+    return table(caption, ["question", "mistake", "students", "who"], rows, {2}) + more
 
 
-def _names(students: Sequence[str]) -> str:
-    named = ", ".join(text(student) for student in students[:_MOST_NAMES])
-    return named + (" …" if len(students) > _MOST_NAMES else "")
-
-
-def _needy(course: Course, records: Sequence[Record], most: float) -> str:
-    needy = who_needs_help(course, records)
-    if not needy:
-        return "<p>Nobody: everyone has at least half of the points, and all work could be run.</p>"
-    rows = [
-        [text(entry.student), f"{entry.total:g} of {most:g}", text("; ".join(entry.reasons))]
-        for entry in needy
-    ]
-    return table(f"{len(needy)} students", ["student", "points", "why"], rows, {1})
-
-
-def _time_and_failures(records: Sequence[Record], run: Run | None) -> str:
+def _time_and_failures(records: Sequence[Record], run: Run | None, links: Links) -> str:
     seconds = np.array([record.graded.seconds for record in records])
     spent = f"{seconds.sum():.0f} s of running and marking"
     if run is not None and run.seconds:
         spent += f", the last run took {run.seconds:.0f} s by the clock"
     slowest = sorted(records, key=lambda record: -record.graded.seconds)[:3]
-    named = ", ".join(f"{text(r.student)} ({r.graded.seconds:.1f} s)" for r in slowest)
+    named = ", ".join(f"{links.to(r.student)} ({r.graded.seconds:.1f} s)" for r in slowest)
     lines = [
         f"<p>{spent}. Median {np.median(seconds):.2g} s a submission; slowest: {named}.</p>",
     ]
@@ -285,13 +271,13 @@ def _time_and_failures(records: Sequence[Record], run: Run | None) -> str:
                 reason = (mark.question, mark.status, mark.feedback)
                 failures.setdefault(reason, []).append(record.student)
     rows = [
-        [text(question), status, text(said), str(len(students)), _names(students)]
+        [text(question), status, text(said), str(len(students)), links.all(students)]
         for (question, status, said), students in sorted(
             failures.items(), key=lambda item: (-len(item[1]), item[0])
         )
     ]
     if rows:
-        header = ["question", "status", "reason", "students", "for example"]
+        header = ["question", "status", "reason", "students", "who"]
         lines.append(table(f"{sum(map(len, failures.values()))} failures", header, rows, {3}))
     else:
         lines.append("<p>No response failed to run.</p>")

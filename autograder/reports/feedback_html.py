@@ -7,27 +7,15 @@ from dataclasses import dataclass, replace
 from autograder.course import Course
 from autograder.course.questions import Question
 from autograder.gradebook.record import Override, Record
+from autograder.kinds.mark import status_for
 from autograder.kinds.registry import kind_of
+from autograder.kinds.status import Status
 from autograder.marking import Mark, Part
-from autograder.marking.mark import status_for
 from autograder.reports.machine import most_for
 from autograder.reports.markdown import inline, markdown, text
 from autograder.reports.page import page
 from autograder.reports.pictures import Pictures
 from autograder.reports.svg import bar
-
-SIGNS = {"right": "✓", "partial": "◐", "wrong": "✗", "not attempted": "○", "recorded": "●"}
-WORDS = {
-    "right": "Right",
-    "partial": "Partly right",
-    "wrong": "Not right yet",
-    "not attempted": "Not attempted",
-    "recorded": "Not marked yet",
-    "error": "Stopped by an exception",
-    "timeout": "Took too long",
-    "killed": "Ended before it answered",
-    "unreadable": "Could not be opened",
-}
 
 
 @dataclass(frozen=True)
@@ -110,7 +98,7 @@ def _index(course: Course, record: Record) -> str:
         points = _points(record, question)
         entries.append(
             f'<li><a class="{_class(status)}" href="#{_anchor(question)}">'
-            f'<span aria-hidden="true">{SIGNS.get(status, "!")}</span> {text(question.id)} '
+            f'<span aria-hidden="true">{Status(status).sign}</span> {text(question.id)} '
             f'<span class="soft">{points}/{question.points:g}</span></a></li>'
         )
     return f'<nav aria-label="Questions"><ul class="index">{"".join(entries)}</ul></nav>'
@@ -126,8 +114,8 @@ def _question(shared: Feedback, record: Record, question: Question) -> str:
         f'<article class="{_class(status)}" id="{_anchor(question)}">',
         f'<div class="head"><h3>{text(question.id)} · {inline(question.title)}</h3>'
         f'<span class="points">{points} of {question.points:g} {unit}</span></div>',
-        f'<p class="verdict"><span aria-hidden="true">{SIGNS.get(status, "!")}</span> '
-        f"{WORDS[status]}</p>",
+        f'<p class="verdict"><span aria-hidden="true">{Status(status).sign}</span> '
+        f"{Status(status).words}</p>",
     ]
     if record.scheme is not None and (counts := record.scheme.remark(question.id, record)):
         lines.append(f'<p class="byhand">{text(counts)}</p>')
@@ -191,6 +179,9 @@ def _understood(question: Question, mark: Mark) -> list[str]:
     read_as = kind_of(question).read_as(question, mark)
     if read_as is not None:
         return [label, f"<ol>{''.join(f'<li>{inline(line)}</li>' for line in read_as)}</ol>"]
+    if kind_of(question).by_hand:
+        said = f'<div class="said prose">{markdown(mark.understood)}</div>'
+        return ['<p class="label">Your answer</p>', said]
     return [label, f'<p class="said">{text(mark.understood)}</p>']
 
 

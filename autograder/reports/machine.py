@@ -6,7 +6,7 @@ from typing import Any
 
 from autograder.course import Course
 from autograder.gradebook import Record
-from autograder.grading.changes import Change
+from autograder.gradebook.changes import Change
 
 
 def record_fields(course: Course, record: Record) -> dict[str, Any]:

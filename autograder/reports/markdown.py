@@ -13,14 +13,14 @@ from markdown_it.token import Token
 from mdit_py_plugins.dollarmath import dollarmath_plugin
 
 
-def _formula(tokens: Sequence[Token], index: int, block: bool) -> str:
-    latex = tokens[index].content.strip()
+def formula(latex: str, block: bool = False) -> str:
+    """A LaTeX formula as MathML; what cannot be converted is shown as it is written."""
     try:
-        formula = str(convert(latex, display="block" if block else "inline"))
+        converted = str(convert(latex, display="block" if block else "inline"))
     except Exception:  # latex2mathml raises what its parser stumbled over
-        formula = "href="
+        converted = "href="
     # A formula needs no link; LaTeX's \\href would take any address.
-    return f"<code>{escape(latex)}</code>" if "href=" in formula else formula
+    return f"<code>{escape(latex)}</code>" if "href=" in converted else converted
 
 
 def _parser() -> MarkdownIt:
@@ -29,7 +29,7 @@ def _parser() -> MarkdownIt:
 
     def render(block: bool) -> Any:
         def rule(self: Any, tokens: Sequence[Token], index: int, options: Any, env: Any) -> str:
-            return _formula(tokens, index, block)
+            return formula(tokens[index].content.strip(), block)
 
         return rule
 

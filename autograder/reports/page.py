@@ -14,11 +14,14 @@ _DIGEST = base64.b64encode(hashlib.sha256(STYLE.encode()).digest()).decode()
 POLICY = f"default-src 'none'; style-src 'sha256-{_DIGEST}'; base-uri 'none'; form-action 'none'"
 
 
-def page(title: str, header: str, main: str, footer: str, wide: bool = False) -> str:
-    """A whole document; all but the title are HTML."""
+def page(
+    title: str, header: str, main: str, footer: str, wide: bool = False, forms: bool = False
+) -> str:
+    """A whole document; all but the title are HTML. It may send ``forms`` to where it is from."""
+    policy = POLICY.replace("form-action 'none'", "form-action 'self'") if forms else POLICY
     return (
         '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
-        f'<meta http-equiv="Content-Security-Policy" content="{POLICY}">\n'
+        f'<meta http-equiv="Content-Security-Policy" content="{policy}">\n'
         '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
         '<meta name="referrer" content="no-referrer">\n'
         f"<title>{text(title)}</title>\n<style>{STYLE}</style>\n</head>\n"

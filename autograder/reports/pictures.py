@@ -14,9 +14,9 @@ from typing import Any
 import numpy as np
 
 from autograder.course import Course
+from autograder.course.loading import load_object
 from autograder.kinds.registry import kind_of
 from autograder.marking import Mark
-from autograder.marking.make_probe import load_object
 from autograder.marking.marker import Marker
 from autograder.reports.markdown import text
 from autograder.reports.svg import BLUE, DARK, GREEN, RED, Chart, swatch
@@ -47,7 +47,7 @@ class Pictures:
         if describe is None or mark.shown is None:
             return ""
         marker = self._markers.setdefault(seed, Marker(self._course, seed))
-        example = kind_of(self._course.question(question)).example(marker.probe(question))
+        example = kind_of(self._course.question(question)).example(marker.drawn(question))
         if example is None:
             return ""
         try:

@@ -3,12 +3,15 @@
 Winnowing (Schleimer, Wilkerson, Aiken: "Winnowing: local algorithms for document fingerprinting",
 SIGMOD 2003), as in MOSS: of every ``WINDOW`` neighbouring runs of ``LENGTH`` tokens one is kept as
 a fingerprint, so every run of at least ``WINDOW + LENGTH - 1`` equal tokens is noticed. Tokens are
-taken without names, numbers, comments and layout. What the handout gave to everybody, and what a
-large part of the class shares anyway, does not count. A pair is a reason to read both, no verdict.
+taken without names, numbers, comments and layout. What the handout gave to everybody, what a large
+part of the class shares anyway, and functions too short to tell anything do not count. Students are
+compared with each other and with what is public: the solved notebooks and the references. A pair is
+a reason to read both, no verdict.
 """
 
 from __future__ import annotations
 
+import ast
 import io
 import keyword
 import tokenize
@@ -20,6 +23,7 @@ from dataclasses import dataclass
 LENGTH = 20  # tokens in a run, about two lines
 WINDOW = 8
 COMMON_SHARE = 0.2  # of the class; what more students have is how one does it
+SHORT = 40  # tokens of a function, below which there is hardly another way to write it
 FEWEST = 8  # fingerprints of a student's own, below which nothing can be said
 _SKIPPED = frozenset(
     {tokenize.COMMENT, tokenize.NL, tokenize.ENCODING, tokenize.ENDMARKER, tokenize.NEWLINE}
@@ -28,9 +32,11 @@ _SKIPPED = frozenset(
 
 @dataclass(frozen=True)
 class Pair:
-    """Two students, the share of the shorter one's own code that both have, and one such place.
+    """Two students, or a student and a public source, whose code is alike.
 
-    ``lines`` are the first lines of the longest common stretch, one for each student.
+    ``share`` is that of the one whose own code is shorter, or of the student; ``first_share`` and
+    ``second_share`` are how much of each one's own work the other has too (None for a public
+    source), and ``fingerprints`` how many places that are. ``lines`` are one such place in each.
     """
 
     first: str
@@ -38,6 +44,8 @@ class Pair:
     share: float
     fingerprints: int
     lines: tuple[str, str]
+    first_share: float = 0.0
+    second_share: float | None = None
 
 
 @dataclass(frozen=True)
@@ -50,7 +58,7 @@ class Code:
 def fingerprints(cells: Iterable[str]) -> Code:
     """The fingerprints of notebook cells; a run of tokens does not cross from cell to cell."""
     places: dict[int, str] = {}
-    for cell in cells:
+    for cell in map(_without_short_functions, cells):
         tokens = _tokens(cell)
         lines = cell.splitlines()
         texts = [text for text, _ in tokens]
@@ -72,8 +80,12 @@ def similar_pairs(
     handout: Code,
     least: float = 0.5,
     progress: Callable[[], None] = lambda: None,
+    public: Mapping[str, Code] | None = None,
 ) -> list[Pair]:
-    """The pairs that share at least ``least`` of the shorter one's own code, most alike first."""
+    """The pairs that share at least ``least`` of the shorter one's own code, most alike first.
+
+    With a source of ``public`` it is that share of the student's own code.
+    """
     owners = Counter(mark for code in students.values() for mark in code.places)
     # Two may always share something, however small the class is.
     common = max(2, COMMON_SHARE * len(students))
@@ -102,8 +114,43 @@ def similar_pairs(
         if shorter >= FEWEST and count >= least * shorter:
             mark = example[first, second]
             lines = (students[first].places[mark], students[second].places[mark])
-            pairs.append(Pair(first, second, count / shorter, count, lines))
+            shares = count / len(own[first]), count / len(own[second])
+            pairs.append(Pair(first, second, count / shorter, count, lines, *shares))
+    for student, marks in own.items():
+        for name, source in (public or {}).items():
+            both = marks & source.places.keys()
+            if len(marks) >= FEWEST and len(both) >= least * len(marks):
+                share, mark = len(both) / len(marks), min(both)
+                lines = (students[student].places[mark], source.places[mark])
+                pairs.append(Pair(student, name, share, len(both), lines, share))
     return sorted(pairs, key=lambda pair: (-pair.share, -pair.fingerprints, pair.first))
+
+
+def _without_short_functions(cell: str) -> str:
+    """The cell with blank lines in place of functions that are too short to tell anything."""
+    try:
+        statements = ast.parse(_without_magics(cell)).body
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return cell
+    lines = cell.splitlines()
+    for statement in statements:
+        if isinstance(statement, ast.FunctionDef | ast.AsyncFunctionDef):
+            first = min([statement.lineno, *(d.lineno for d in statement.decorator_list)]) - 1
+            last = statement.end_lineno or first
+            if len(_tokens(_without_docstring(lines[first:last], statement))) < SHORT:
+                lines[first:last] = [""] * (last - first)
+    return "\n".join(lines)
+
+
+def _without_docstring(
+    lines: Sequence[str], function: ast.FunctionDef | ast.AsyncFunctionDef
+) -> str:
+    body = function.body[0]
+    if ast.get_docstring(function, clean=False) is None:
+        return "\n".join(lines)
+    start = len(lines) - ((function.end_lineno or 0) - body.lineno) - 1
+    end = start + (body.end_lineno or body.lineno) - body.lineno + 1
+    return "\n".join([*lines[:start], *lines[end:]])
 
 
 def _tokens(cell: str) -> list[tuple[str, int]]:

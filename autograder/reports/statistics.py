@@ -13,7 +13,7 @@ from autograder.course.questions import Question
 from autograder.gradebook.record import Record
 from autograder.kinds.registry import kind_of
 from autograder.marking import Mark
-from autograder.reports.machine import most_points
+from autograder.reports.machine import most_for
 
 FEWEST = 10  # below that, a correlation is chance
 LOW_DISCRIMINATION = 0.15
@@ -50,11 +50,18 @@ class Mistake:
 
 @dataclass(frozen=True)
 class Needy:
-    """A student somebody should look after, and why."""
+    """A student somebody should look after, and why.
+
+    ``chapters`` are those in which less than half was earned, by title, and ``mistakes`` the known
+    ones, as question and name.
+    """
 
     student: str
     total: float
     reasons: tuple[str, ...]
+    section: str = ""
+    chapters: tuple[str, ...] = ()
+    mistakes: tuple[tuple[str, str], ...] = ()
 
 
 def question_statistics(course: Course, records: Sequence[Record]) -> list[QuestionStatistics]:
@@ -168,9 +175,9 @@ def common_mistakes(course: Course, records: Sequence[Record]) -> list[Mistake]:
 
 def who_needs_help(course: Course, records: Sequence[Record]) -> list[Needy]:
     """Students with less than half of the points, or whose work could not be run; lowest first."""
-    most = most_points(course)
     needy = []
     for record in records:
+        most = most_for(course, record)
         statuses = Counter(mark.status for mark in record.graded.marks)
         reasons = []
         if record.graded.status == "unreadable":
@@ -189,5 +196,39 @@ def who_needs_help(course: Course, records: Sequence[Record]) -> list[Needy]:
                 if statuses[status] >= 2:
                     reasons.append(f"{statuses[status]} questions ended {words}")
         if reasons:
-            needy.append(Needy(record.student, record.total, tuple(reasons)))
+            needy.append(
+                Needy(
+                    record.student,
+                    record.total,
+                    tuple(reasons),
+                    section_of(record),
+                    _weak_chapters(course, record),
+                    _known_mistakes(course, record),
+                )
+            )
     return sorted(needy, key=lambda entry: (entry.total, entry.student))
+
+
+def section_of(record: Record) -> str:
+    """The section of a student, "" if none is known; of a group, all of theirs."""
+    return ", ".join(dict.fromkeys(p.section for p in record.people if p.section))
+
+
+def _weak_chapters(course: Course, record: Record) -> tuple[str, ...]:
+    weak = []
+    for chapter in course.chapters:
+        possible = sum(question.points for question in chapter.questions)
+        earned = sum(record.points(question.id) or 0.0 for question in chapter.questions)
+        if possible and earned < possible / 2:
+            weak.append(chapter.title)
+    return tuple(weak)
+
+
+def _known_mistakes(course: Course, record: Record) -> tuple[tuple[str, str], ...]:
+    marks = record.marks
+    return tuple(
+        (question.id, name)
+        for question in course.questions.values()
+        if (mark := marks.get(question.id)) and mark.status in ("wrong", "partial")
+        for name in kind_of(question).known_mistakes(question, mark)
+    )

@@ -12,24 +12,14 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 from rich.table import Table
 
 from autograder.course import Course
+from autograder.gradebook.changes import Change
 from autograder.gradebook.record import Override, Record, names_of
-from autograder.grading.changes import Change
+from autograder.kinds.status import Status
 from autograder.marking import Mark
 from autograder.reports.machine import most_for
 
-SIGNS = {
-    "right": "✓",
-    "partial": "◐",
-    "wrong": "✗",
-    "not attempted": "·",
-    "recorded": "●",
-    "error": "E",
-    "timeout": "T",
-    "killed": "K",
-    "unreadable": "?",
-}
-_COLOURS = {"right": "green", "partial": "yellow", "not attempted": "dim", "recorded": "default"}
-LEGEND = "✓ right  ◐ partial  ✗ wrong  · not attempted  E error  T timeout  K killed  ? unreadable"
+NARROW = 60  # columns, below which tables are written as lines
+LEGEND = "  ".join(f"{status.sign} {status}" for status in Status)
 
 
 def progress_bar(doing: str = "grading") -> Progress:
@@ -56,7 +46,13 @@ def warn(sentence: str) -> None:
 
 
 def print_table(console: Console, course: Course, records: Sequence[Record]) -> None:
-    """A row a student: a sign for each question, grouped by chapter, and the total."""
+    """A row a student: a sign for each question, grouped by chapter, and the total.
+
+    On a narrow terminal each student has lines instead.
+    """
+    if console.width < NARROW:
+        _print_lines(console, course, records)
+        return
     table = Table(box=None, pad_edge=False)
     table.add_column("student", overflow="fold")
     for chapter in course.chapters:
@@ -81,6 +77,22 @@ def print_table(console: Console, course: Course, records: Sequence[Record]) -> 
         )
     console.print(table)
     console.print(f"[dim]{LEGEND}[/]")
+
+
+def _print_lines(console: Console, course: Course, records: Sequence[Record]) -> None:
+    names = names_of(records)
+    for record in records:
+        marks = record.marks
+        _line(console, f"{names[record.student]}: {record.total:g} / {most_for(course, record):g}")
+        for chapter in course.chapters:
+            signs = "".join(
+                Status(marks[question.id].status).sign if question.id in marks else " "
+                for question in chapter.questions
+            )
+            _line(console, f"  {signs}  {chapter.title}")
+        for note in record.graded.notes:
+            _line(console, f"  ! {note}")
+    _line(console, LEGEND)
 
 
 def print_changes(
@@ -133,6 +145,7 @@ def print_record(
     _line(console, f"handed in: {record.graded.submission.path}")
     for note in record.graded.notes:
         _line(console, f"! {note}")
+    is_narrow = console.width < NARROW
     table = Table(box=None, pad_edge=False)
     table.add_column("")
     table.add_column("question", no_wrap=True)
@@ -153,6 +166,12 @@ def print_record(
             said = f"not marked yet: {reason}. {said}"
         counts = record.scheme.remark(question.id, record) if record.scheme else ""
         points = record.points(question.id)
+        shown = f"{'?' if points is None else f'{points:g}'} / {question.points:g}"
+        if is_narrow:
+            _line(console, f"{Status(mark.status).sign} {question.id}  {shown}")
+            for text in (mark.understood, f"{counts} {said}".strip()):
+                _line(console, f"    {text}")
+            continue
         table.add_row(
             _sign(mark.status),
             question.id,
@@ -160,7 +179,8 @@ def print_record(
             escape(printable(mark.understood)),
             escape(printable(f"{counts} {said}".strip())),
         )
-    console.print(table)
+    if not is_narrow:
+        console.print(table)
     for entry in overrides:
         given = "withdrawn" if entry.points is None else f"{entry.points:g} points"
         by = f" by {entry.author}" if entry.author else ""
@@ -180,7 +200,7 @@ def _line(console: Console, text: str) -> None:
 
 
 def _sign(status: str) -> str:
-    return f"[{_COLOURS.get(status, 'red')}]{SIGNS.get(status, ' ')}[/]"
+    return f"[{Status(status).color}]{Status(status).sign}[/]"
 
 
 def _verdict(mark: Mark) -> str:

@@ -1,0 +1,18 @@
+"""Isolation of student code, and nothing else.
+
+Who starts whom, from the trusted side to the student's::
+
+    Sandbox          (launcher.py)   one for each worker of a run; asks ``tiers.py`` what works here
+      Session        (session.py)    one notebook of one submission: runs it, evaluates responses
+        Host         (host.py)       one process inside the isolation, used for many notebooks
+    ----------------------------------------------------------------- bubblewrap, a user of its own
+          zygote     (inside/zygote.py)   everything imported, no key; forks
+    ----------------------------------------------------------------- Landlock, seccomp, limits
+            child    (inside/serve.py)    one notebook: student code runs from here on
+              fork   (inside/serve.py)    one response, so that a crash costs one question
+
+With ``--no-sandbox`` `plain.py` starts ``inside/worker.py`` in place of host, zygote and child.
+
+Messages cross in `autograder.exchange`. Nothing that comes back is believed: `Session` takes only
+answers that carry the nonce of its question, cleaned by `autograder.exchange.replies`.
+"""

@@ -13,6 +13,7 @@ import time
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 import autograder
@@ -20,6 +21,7 @@ from autograder.course import Settings
 from autograder.errors import AutograderError
 from autograder.exchange.channel import Channel
 from autograder.sandbox import bubblewrap, landlock, seccomp
+from autograder.sandbox.bytecode import stale_modules
 from autograder.sandbox.identity import OwnIdentity
 from autograder.sandbox.own_folder import OwnFolder
 
@@ -316,21 +318,16 @@ def font_folder() -> Path | None:
 
 
 def compile_libraries() -> None:
-    """Make Python keep compiled modules and matplotlib its fonts, if they do not yet.
+    """Make Python keep compiled modules and matplotlib its fonts, if they are not of use yet.
 
     The sandbox writes nothing, so without this every run would compile sympy anew.
     """
-    import importlib.util
-
-    found = importlib.util.find_spec("sympy")
-    if found is None or found.origin is None:
-        return
-    compiled = importlib.util.cache_from_source(found.origin)
-    if Path(compiled).exists() and font_folder() is not None:
+    if font_folder() is not None and next(stale_modules(), None) is None:
         return
     environment = {k: v for k, v in os.environ.items() if k != "PYTHONDONTWRITEBYTECODE"}
     environment["PYTHONPATH"] = str(_PACKAGE.parent)
-    with suppress(subprocess.TimeoutExpired, OSError):
+    with suppress(subprocess.TimeoutExpired, OSError), TemporaryDirectory() as responses:
+        environment["AUTOGRADER_RESPONSES"] = responses
         subprocess.run(
             # This runs with the instructor's rights, so nothing may be imported from the current
             # folder, which may hold what students handed in.

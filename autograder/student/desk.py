@@ -9,8 +9,8 @@ from weakref import WeakSet
 
 from autograder.course import Course
 from autograder.course.questions import Question
+from autograder.kinds.mark import Mark, not_attempted, stopped
 from autograder.kinds.registry import kind_of
-from autograder.marking.mark import Mark, not_attempted, stopped
 from autograder.sandbox.inside.evaluate import describe, evaluate
 from autograder.student.frontend import running_shell
 from autograder.student.marker_client import marker_for

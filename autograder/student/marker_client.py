@@ -11,7 +11,7 @@ from typing import Any
 from autograder.course import Course, load_course
 from autograder.errors import AutograderError, CourseError
 from autograder.exchange import wire
-from autograder.marking.mark import Mark
+from autograder.kinds.mark import Mark
 from autograder.marking.snapshots import SNAPSHOTS, SnapshotMarker
 
 _client: MarkerClient | None = None
@@ -82,7 +82,7 @@ class MarkerClient:
         self._lock = threading.Lock()
         environment = {**os.environ, "AUTOGRADER_COURSE": str(course.root)}
         self._process = subprocess.Popen(
-            [sys.executable, "-m", "autograder.student.marker_process"],
+            [sys.executable, "-m", "autograder.marking.marker_process"],
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=subprocess.DEVNULL,
@@ -103,8 +103,8 @@ class MarkerClient:
 
     def probe(self, id: str) -> dict[str, Any]:
         """What the kernel has to evaluate for a question."""
-        sent: dict[str, Any] = self._ask({"do": "probe", "question": id})["sent"]
-        return sent
+        probe: dict[str, Any] = self._ask({"do": "probe", "question": id})["probe"]
+        return probe
 
     def mark(self, id: str, response: Any, understood: str = "") -> Mark:
         """The mark of what came out."""

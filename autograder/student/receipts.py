@@ -10,7 +10,8 @@ from pathlib import Path
 from typing import Any
 
 from autograder.course import Chapter, Course
-from autograder.intake.notebook_reader import RECEIPT, Unreadable, read_notebook
+from autograder.exchange.responses import RECEIPT
+from autograder.intake.notebook_reader import Unreadable, read_notebook
 from autograder.kinds.registry import kind_of
 from autograder.student.responses import Entry, notebooks_folder
 

@@ -6,19 +6,12 @@ from typing import Any
 
 from autograder.course import Course
 from autograder.course.questions import Question
+from autograder.kinds.mark import Mark
 from autograder.kinds.registry import kind_of
-from autograder.marking.mark import Mark
+from autograder.kinds.status import Status
 from autograder.student.receipts import RECEIPT, receipt
 from autograder.student.responses import answered, points
 from autograder.student.submission import Packed
-
-SIGNS = {
-    "right": "✓",
-    "partial": "◐",
-    "wrong": "✗",
-    "not attempted": "○",
-    "recorded": "●",
-}
 
 
 def number(value: float) -> str:
@@ -92,7 +85,7 @@ class MarkView(_View):
 
     def lines(self) -> list[str]:
         mark = self.mark
-        sign = SIGNS.get(mark.status, "!")
+        sign = Status(mark.status).sign
         earned = (
             ""
             if mark.status == "recorded"

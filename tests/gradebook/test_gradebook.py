@@ -217,3 +217,26 @@ def test_a_copy_taken_while_the_book_is_open_is_complete(
     shutil.copy(path, tmp_path / "copy.db")
     with Gradebook(tmp_path / "copy.db", create=False) as copy:
         assert copy.record("ada").total == 2
+
+
+def test_a_gradebook_of_an_older_version_keeps_everything_as_it_is_migrated(tmp_path: Path):
+    import sqlite3
+
+    from autograder.gradebook.schema import _STEPS
+
+    path = tmp_path / "gradebook.db"
+    db = sqlite3.connect(path)
+    for step in _STEPS[:3]:
+        db.executescript(step)
+    db.execute("PRAGMA user_version = 3")
+    db.execute("INSERT INTO run VALUES (1, 'v', 5, 'bwrap', '2026-01-01', NULL, 0)")
+    db.execute("INSERT INTO submission VALUES ('ada','/a','f','graded','[]',1,0,NULL,0,0,'{}')")
+    db.execute("INSERT INTO override VALUES (1, 'ada', 'Q1', 1.5, 'oral', '2026-01-02')")
+    db.execute("INSERT INTO note VALUES (1, 'ada', 'was ill', '2026-01-02')")
+    db.commit()
+    db.close()
+    with Gradebook(path) as book:
+        record = book.record("ada")
+    assert record.overrides["Q1"].points == 1.5
+    assert (record.overrides["Q1"].author, record.overrides["Q1"].levels) == ("", {})
+    assert record.notes[0].text == "was ill"

@@ -16,7 +16,8 @@ from hypothesis import strategies as st
 
 from autograder.course import Settings
 from autograder.errors import UsageError
-from autograder.intake.notebook_reader import RECEIPT, Notebook, Unreadable, read_notebook
+from autograder.exchange.responses import RECEIPT
+from autograder.intake.notebook_reader import Notebook, Unreadable, read_notebook
 from autograder.intake.submissions import Contents, Submission, find_submissions, read_submission
 
 LIMITS = Settings()

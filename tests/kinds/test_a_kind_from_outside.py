@@ -28,7 +28,7 @@ import numpy as np
 from autograder.kinds.answer import Alternative, Answer, read_alternative
 from autograder.kinds.code import CodeKind
 from autograder.kinds.question import Question
-from autograder.marking.mark import Mark, Part, status_for
+from autograder.kinds.mark import Mark, Part, status_for
 
 
 @dataclass(frozen=True)
@@ -63,7 +63,7 @@ class IntervalKind(CodeKind[Interval, Answer]):
             known.append(Ends(**read_alternative(entry), ends=(low, high)))
         return Answer(**common, alternatives=tuple(known))
 
-    def mark_given(self, question, answer, probe, response, understood):
+    def mark_given(self, question, answer, drawn, response, understood):
         given = response.get("values")
         if not (isinstance(given, np.ndarray) and given.shape == (2,)):
             return None
@@ -90,7 +90,7 @@ class IntervalKind(CodeKind[Interval, Answer]):
 
         return ValueWidget(desk, question, *checked)
 
-    def response_like(self, question, alternative, probe):
+    def response_like(self, question, alternative, drawn):
         return {"state": "given", "values": np.array(alternative.ends)}
 
     def read_as(self, question, mark):

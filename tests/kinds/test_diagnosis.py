@@ -52,7 +52,7 @@ def test_whoever_gives_more_decimals_has_to_be_right_to_these(value):
 
 def expression(course, response):
     marker = Marker(course.load(), seed=1)
-    return marker.mark("Q1.4", evaluate(response, marker.probe("Q1.4").sent))
+    return marker.mark("Q1.4", evaluate(response, marker.drawn("Q1.4").probe))
 
 
 def test_a_matrix_of_one_a_set_of_one_and_a_list_of_equal_roots_are_expressions(tiny_course):

@@ -25,7 +25,7 @@ def marker(request) -> Marker:
 
 def mark(marker: Marker, id: str, response: object) -> Mark:
     """Marked as the grader does it: evaluated over there, marked here."""
-    return marker.mark(id, evaluate(response, marker.probe(id).sent))
+    return marker.mark(id, evaluate(response, marker.drawn(id).probe))
 
 
 def right_forms(assumptions: dict[str, bool]) -> dict[str, list[sp.Expr]]:
@@ -217,8 +217,8 @@ def test_a_stub_is_not_attempted(tiny_course):
 
 def test_no_answer_is_in_what_is_sent(tiny_course):
     """Points only: the values of the right expression stay on the trusted side."""
-    sent = Marker(tiny_course.load(), seed=1).probe("Q1.4").sent
-    assert sent.keys() == {"kind", "inside", "points"}
+    sent = Marker(tiny_course.load(), seed=1).drawn("Q1.4").probe
+    assert sent.keys() == {"kind", "points"}
     assert sent["points"].keys() == {"a", "b", "half"}
 
 

@@ -23,7 +23,7 @@ def marker(tiny_course) -> Marker:
 
 def mark(marker: Marker, function: Any) -> Mark:
     """Marked as the grader does it: run over there, compared here."""
-    return marker.mark("Q1.5", evaluate(function, marker.probe("Q1.5").sent))
+    return marker.mark("Q1.5", evaluate(function, marker.drawn("Q1.5").probe))
 
 
 def test_another_way_to_the_right_values_is_right(marker):
@@ -195,7 +195,7 @@ def test_arguments_are_fresh_in_every_case(marker):
         weights.clear()
         return result
 
-    sent = marker.probe("Q1.5").sent
+    sent = marker.drawn("Q1.5").probe
     before = [list(case["args"][0]) for case in sent["cases"]]
     verdict = mark(marker, spoils)
     assert verdict.parts[0].right  # no weights: nothing to change
@@ -205,7 +205,7 @@ def test_arguments_are_fresh_in_every_case(marker):
 
 def test_no_feedback_contains_a_hidden_input(marker):
     hidden = [
-        str(value) for case in marker.probe("Q1.5").sent["cases"] for value in case["args"][0]
+        str(value) for case in marker.drawn("Q1.5").probe["cases"] for value in case["args"][0]
     ]
     for function in (lambda weights: -5.0, lambda weights: weights, lambda weights: str(weights)):
         verdict = mark(marker, function)
@@ -215,7 +215,7 @@ def test_no_feedback_contains_a_hidden_input(marker):
 
 def test_the_same_seed_draws_the_same_inputs_and_another_seed_others(tiny_course):
     course = tiny_course.load()
-    draws = [Marker(course, seed).probe("Q1.5").sent["cases"] for seed in (3, 3, 4)]
+    draws = [Marker(course, seed).drawn("Q1.5").probe["cases"] for seed in (3, 3, 4)]
     assert draws[0] == draws[1]
     assert draws[0] != draws[2]
 

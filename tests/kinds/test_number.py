@@ -123,7 +123,7 @@ def marker(tiny_course) -> Marker:
 
 def given_number(marker: Marker, response: object) -> Mark:
     """Marked as the grader does it: evaluated over there, marked here. The answer is 12 eggs."""
-    return marker.mark("Q1.3", evaluate(response, marker.probe("Q1.3").sent))
+    return marker.mark("Q1.3", evaluate(response, marker.drawn("Q1.3").probe))
 
 
 @pytest.mark.parametrize(

@@ -7,14 +7,13 @@ import pytest
 
 from autograder.exchange.replies import clean_evaluation
 from autograder.kinds.function.inside.counted_draws import CountedDraws
-from autograder.kinds.function.kind import FunctionKind
 from autograder.kinds.function.marking import agrees, close
 from autograder.sandbox.inside.evaluate import evaluate
 
 
 def outcome(function: Any, *args: Any) -> dict[str, Any]:
     """What comes back of one call, as it passes through the check of replies."""
-    probe = {"kind": "function", "inside": FunctionKind.inside, "cases": [{"args": list(args)}]}
+    probe = {"kind": "function", "cases": [{"args": list(args)}]}
     return clean_evaluation(evaluate(function, probe))["outcomes"][0]
 
 

@@ -10,10 +10,10 @@ from hypothesis import strategies as st
 from tiny_course import make_tiny_course
 
 from autograder.exchange import wire
+from autograder.kinds.drawn import Drawn
 from autograder.kinds.function.marking import Expected, mark_function
 from autograder.marking import STATUSES, Mark
 from autograder.marking.marker import Marker
-from autograder.marking.probe import Probe
 
 IDS = ["Q1.1", "Q1.2", "Q1.3", "Q1.4", "Q1.5"]
 
@@ -83,11 +83,11 @@ plain = st.recursive(
 
 
 @pytest.fixture(scope="module")
-def ready(tmp_path_factory) -> dict[str, tuple[Marker, Probe]]:
+def ready(tmp_path_factory) -> dict[str, tuple[Marker, Drawn]]:
     """A marker of the kinds that need no reference, for many examples in one test."""
     course = make_tiny_course(tmp_path_factory.mktemp("course")).load()
     marker = Marker(course, seed=4)
-    return {id: (marker, marker.probe(id)) for id in IDS[:4]}
+    return {id: (marker, marker.drawn(id)) for id in IDS[:4]}
 
 
 @given(response=plain)

@@ -3,27 +3,28 @@
 import numpy as np
 import pytest
 
+from autograder.course.loading import load_object
 from autograder.errors import CourseError
 from autograder.exchange import wire
 from autograder.kinds.expression.answer import ExpressionAnswer
 from autograder.kinds.expression.marking import POINT_COUNT, hidden_points
-from autograder.marking.make_probe import load_object, make_probe
+from autograder.marking.draw import draw
 
 
-def probe(course, id, seed):
-    return make_probe(course.question(id), course.key[id], seed, course.root)
+def drawn(course, id, seed):
+    return draw(course.question(id), course.key[id], seed, course.root)
 
 
 def test_the_same_seed_draws_the_same_points_and_another_one_others(tiny_course):
     course = tiny_course.load()
-    first, again, other = (probe(course, "Q1.4", seed).kept for seed in (1, 1, 2))
+    first, again, other = (drawn(course, "Q1.4", seed).expected for seed in (1, 1, 2))
     assert all(np.array_equal(first[name], again[name]) for name in first)
     assert not np.array_equal(first["a"], other["a"])
     assert not np.array_equal(first["a"], first["b"])
 
 
 def test_points_lie_in_their_ranges_and_derived_symbols_follow(tiny_course):
-    points = probe(tiny_course.load(), "Q1.4", 3).kept
+    points = drawn(tiny_course.load(), "Q1.4", 3).expected
     for name in ("a", "b"):
         assert points[name].shape == (2 * POINT_COUNT,)
         assert points[name].min() >= 1
@@ -47,18 +48,18 @@ def test_in_the_second_half_only_what_the_response_must_be_free_of_differs():
 def test_what_is_sent_can_cross_and_holds_arguments_only(tiny_course):
     course = tiny_course.load()
     for id in ("Q1.3", "Q1.4", "Q1.5"):
-        assert wire.encode(probe(course, id, 1).sent)
-    sent = probe(course, "Q1.5", 1).sent
-    assert sent.keys() == {"kind", "inside", "cases"}
+        assert wire.encode(drawn(course, id, 1).probe)
+    sent = drawn(course, "Q1.5", 1).probe
+    assert sent.keys() == {"kind", "cases"}
     assert all(case.keys() == {"args", "kwargs"} for case in sent["cases"])
 
 
 def test_the_reference_and_the_mistakes_are_run_on_the_cases_that_are_sent(tiny_course):
-    ready = probe(tiny_course.load(), "Q1.5", 6)
-    weights = [case["args"][0] for case in ready.sent["cases"]]
+    ready = drawn(tiny_course.load(), "Q1.5", 6)
+    weights = [case["args"][0] for case in ready.probe["cases"]]
     means = [sum(some) / len(some) if some else 0 for some in weights]
-    assert [outcome["value"] for outcome in ready.kept.outcomes] == pytest.approx(means)
-    mistake, outcomes = ready.kept.mistakes[0]
+    assert [outcome["value"] for outcome in ready.expected.outcomes] == pytest.approx(means)
+    mistake, outcomes = ready.expected.mistakes[0]
     assert mistake.name == "the sum"
     assert [outcome["value"] for outcome in outcomes] == pytest.approx([sum(s) for s in weights])
 
@@ -92,7 +93,7 @@ def test_malformed_cases_are_said(tiny_course, cases):
         "solutions/answers/kitchen.toml", "kitchen:mean_weight_cases", "kitchen:some_cases"
     )
     with pytest.raises(CourseError, match=r"cases of Q1\.5 must be a list"):
-        probe(tiny_course.load(), "Q1.5", 1)
+        drawn(tiny_course.load(), "Q1.5", 1)
 
 
 def test_a_reference_that_is_a_stub_is_said(tiny_course):
@@ -100,7 +101,7 @@ def test_a_reference_that_is_a_stub_is_said(tiny_course):
         "solutions/kitchen.py", "    total = sum(weights)", "    raise NotImplementedError"
     )
     with pytest.raises(CourseError, match="mean_weight gives no outcomes"):
-        probe(tiny_course.load(), "Q1.5", 1)
+        drawn(tiny_course.load(), "Q1.5", 1)
 
 
 def test_a_random_generator_as_an_argument_is_the_same_for_both_sides(tiny_course):
@@ -115,7 +116,7 @@ def test_a_random_generator_as_an_argument_is_the_same_for_both_sides(tiny_cours
     tiny_course.replace(answers, '"solutions.kitchen:mean_weight"', '"solutions.kitchen:roll"')
     text = (tiny_course.root / answers).read_text().partition('[["Q1.5".alternative]]')[0]
     (tiny_course.root / answers).write_text(text)
-    ready = probe(tiny_course.load(), "Q1.5", 1)
-    assert ready.sent["cases"][0]["args"] == [{"rng": 7}]
+    ready = drawn(tiny_course.load(), "Q1.5", 1)
+    assert ready.probe["cases"][0]["args"] == [{"rng": 7}]
     expected = int(np.random.default_rng(7).integers(1, 7))
-    assert ready.kept.outcomes == [{"value": expected, "drawn": 1}]
+    assert ready.expected.outcomes == [{"value": expected, "drawn": 1}]

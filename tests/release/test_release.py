@@ -14,13 +14,13 @@ import pytest
 from packaging.requirements import Requirement
 
 from autograder.course import Course, load_course
+from autograder.course.loading import load_object
 from autograder.errors import CourseError, UsageError
 from autograder.kinds.expression.answer import ExpressionAnswer
 from autograder.kinds.expression.formula import evaluate_formula
 from autograder.kinds.function.answer import FunctionAnswer
+from autograder.kinds.pack import pack, unpack
 from autograder.kinds.registry import kind_of
-from autograder.marking.make_probe import load_object
-from autograder.marking.pack import pack, unpack
 from autograder.marking.snapshots import SnapshotMarker
 from autograder.release.bundle import release
 from autograder.release.leaks import leaks

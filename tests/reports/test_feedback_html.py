@@ -129,7 +129,7 @@ def test_the_policy_allows_this_style_and_nothing_else(course: Course):
 def test_the_fitted_line_is_drawn_for_the_public_points_and_no_others():
     course = load_course(REPOSITORY)
     marker = Marker(course, 3)
-    cases = marker.probe("Q2.3").kept.cases
+    cases = marker.drawn("Q2.3").expected.cases
     assert cases[0]["public"]
     outcomes = [{"value": np.array([2.5, 0.9])} for _ in cases]
     marked = marker.mark("Q2.3", {"state": "given", "outcomes": outcomes})
@@ -146,7 +146,7 @@ def test_every_picture_of_the_key_draws_the_reference():
     named = [id for id, answer in course.key.items() if getattr(answer, "picture", None)]
     assert {"Q2.3", "Q3.4"} <= set(named)
     for id in named:
-        outcomes = marker.probe(id).kept.outcomes
+        outcomes = marker.drawn(id).expected.outcomes
         marked = marker.mark(id, {"state": "given", "outcomes": list(outcomes)})
         drawn = Pictures(course).html(id, Mark.from_dict(marked.to_dict()), 3)
         assert "your line" in drawn

@@ -124,5 +124,60 @@ def test_the_command_prints_the_pairs_and_writes_them(tmp_path: Path, capsys):
     assert main(["--course", str(tmp_path / "course"), *command]) == 0
     out = capsys.readouterr().out
     assert "=boole and ada" in out
-    assert "1 pairs of 3 submissions" in out
+    assert "1 pairs among 3 submissions" in out
     assert "'=boole" in (tmp_path / "grades/similar.csv").read_text()
+
+
+def test_how_much_of_each_one_s_own_work_is_alike_is_said():
+    padded = ORIGINAL + INDEPENDENT.replace("fit_line", "fit_again")
+    students = {"ada": fingerprints([ORIGINAL]), "boole": fingerprints([padded])}
+    (pair,) = similar_pairs(students, fingerprints([]))
+    assert pair.first_share == 1.0
+    assert pair.second_share is not None
+    # boole's other function is a bit longer than the shared one
+    assert 0.3 < pair.second_share < 0.7
+
+
+def test_a_copy_of_the_reference_is_named_as_such():
+    students = {"ada": fingerprints([ORIGINAL]), "boole": fingerprints([INDEPENDENT])}
+    (pair,) = similar_pairs(
+        students, fingerprints([]), public={"the references": fingerprints([ORIGINAL])}
+    )
+    assert (pair.first, pair.second, pair.second_share) == ("ada", "the references", None)
+    assert pair.first_share == 1.0
+
+
+SHORT_FUNCTION = '''
+def heaviest(weights):
+    """Return the weight of the heaviest apple, which must be in the list of them all, and so on."""
+    most = weights[0]
+    for weight in weights:
+        most = max(most, weight)
+    return most
+'''
+
+
+def test_a_function_that_is_too_short_to_tell_does_not_count():
+    assert not fingerprints([SHORT_FUNCTION]).places
+    assert not fingerprints(["import math\n" + SHORT_FUNCTION + "x = 1\n"]).places
+    assert fingerprints([ORIGINAL]).places
+
+
+def test_a_short_function_between_long_ones_is_left_out_alone():
+    both = fingerprints([SHORT_FUNCTION + ORIGINAL])
+    assert both.places.keys() == fingerprints([ORIGINAL]).places.keys()
+
+
+def test_the_command_compares_with_the_solved_notebooks(tmp_path: Path, capsys):
+    course = make_course(tmp_path / "course")
+    (course.root / "solutions/notebooks").mkdir()
+    (course.root / "solutions/notebooks/1_orchard.ipynb").write_text(notebook([ORIGINAL]))
+    for student, code in (("ada", ORIGINAL), ("boole", INDEPENDENT)):
+        folder = tmp_path / "work" / student
+        folder.mkdir(parents=True)
+        (folder / "1_orchard.ipynb").write_text(notebook([START, code]))
+    arguments = ["similar", str(tmp_path / "work"), "--out", str(tmp_path / "grades")]
+    assert main(["--course", str(course.root), *arguments]) == 0
+    said = capsys.readouterr().out
+    assert "ada and the solved notebooks: 100% of ada's own work is alike" in said
+    assert "boole" not in said

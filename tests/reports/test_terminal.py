@@ -10,7 +10,7 @@ from rich.console import Console
 
 from autograder.course import Course
 from autograder.gradebook import Note, Override, Record
-from autograder.grading.changes import Change, changes
+from autograder.gradebook.changes import Change, changes
 from autograder.reports.terminal import print_changes, print_record, print_table, warn
 from tests.classroom import all_marks, graded, hostile_mark, make_course, mark
 

@@ -262,11 +262,28 @@ def test_the_panel_lists_what_is_open_and_packs_again(own_garden: Path, sent):
 
 
 def test_prompts_with_formulas_become_mathml_and_html_in_them_stays_text(desk: Desk):
-    from autograder.student.widgets.markup import block, formula
+    from autograder.reports.markdown import formula, markdown
 
     assert "<math" in show(desk, "Q1.1").fixed["prompt"]
-    assert "<script>" not in block("<script>alert(1)</script>")
+    assert "<script>" not in markdown("<script>alert(1)</script>")
     assert formula(r"\nonsense{") == r"<code>\nonsense{</code>"
+
+
+def test_widgets_and_pages_of_feedback_read_markdown_in_the_same_way(desk: Desk):
+    """Prices are no formulas, pictures are not loaded, and a formula is no link."""
+    from dataclasses import replace
+
+    from autograder.reports.markdown import markdown
+
+    picture, link = "![x](http://a.example/p.png)", r"$\href{http://a.example}{x}$"
+    prompt = f"Is $5 more than $6?\n\n{picture}\n\n{link}\n\n$x^2$"
+    question = replace(desk.course.question("Q1.1"), prompt=prompt)
+    shown = kind_of(question).widget(desk, question).fixed["prompt"]
+    assert shown == markdown(prompt)
+    assert "Is $5 more than $6?" in shown
+    assert "<img" not in shown
+    assert r"\href" in shown  # as it is written
+    assert shown.count("<math") == 1
 
 
 @pytest.mark.parametrize(("id", "text"), [("Q1.3", "3 * 4"), ("Q1.4", "2*w + 2*l")])

@@ -11,6 +11,7 @@ import numpy as np
 from autograder.errors import UsageError
 from autograder.kinds.answer import Alternative
 from autograder.kinds.code import CodeKind
+from autograder.kinds.drawn import Drawn
 from autograder.kinds.expression import answer as right
 from autograder.kinds.expression import question as asked
 from autograder.kinds.expression import snapshot as examples
@@ -19,18 +20,16 @@ from autograder.kinds.expression.formula import evaluate_formula
 from autograder.kinds.expression.marking import hidden_points, mark_expression
 from autograder.kinds.expression.question import Expression
 from autograder.kinds.expression.trial import ExpressionTrial
+from autograder.kinds.mark import Mark
 from autograder.kinds.toml_table import Table
 from autograder.kinds.typed import assign_if_open
-from autograder.marking.mark import Mark
 from autograder.marking.mutants.mutant import Trial
-from autograder.marking.probe import Probe
 
 
 class ExpressionKind(CodeKind[Expression, ExpressionAnswer]):
-    """A formula; the probe's ``kept`` are the points at which it is compared."""
+    """A formula; what is ``expected`` are the points at which it is compared."""
 
     name = "expression"
-    inside = "autograder.kinds.expression.inside.evaluate"
     has_field = True
     fewest_variants = 6
 
@@ -68,26 +67,25 @@ class ExpressionKind(CodeKind[Expression, ExpressionAnswer]):
         call = f"__import__({module!r}, fromlist=['_']).formula_of({question.id!r}, {response!r})"
         return assign_if_open(question.variable, call)
 
-    def make_probe(
+    def draw(
         self,
         question: Expression,
         answer: ExpressionAnswer,
         rng: np.random.Generator,
         root: Path,
-    ) -> Probe:
+    ) -> Drawn:
         points = hidden_points(answer, rng)
-        sent = {"kind": self.name, "inside": self.inside, "points": points}
-        return Probe(sent, kept=points)
+        return Drawn({**self.base_probe(), "points": points}, expected=points)
 
     def mark_given(
         self,
         question: Expression,
         answer: ExpressionAnswer,
-        probe: Probe,
+        drawn: Drawn,
         response: dict[str, Any],
         understood: str,
     ) -> Mark | None:
-        return mark_expression(question, answer, probe.kept, response.get("values"))
+        return mark_expression(question, answer, drawn.expected, response.get("values"))
 
     def why_unusable(self, question: Expression, reason: str) -> str:
         why = super().why_unusable(question, reason)
@@ -108,10 +106,10 @@ class ExpressionKind(CodeKind[Expression, ExpressionAnswer]):
         rows = [f"| `{name}` | {meaning} |" for name, meaning in question.symbols]
         return ["", "| symbol | meaning |", "|:--|:--|", *rows]
 
-    def response_like(self, question: Expression, alternative: Alternative, probe: Probe) -> Any:
+    def response_like(self, question: Expression, alternative: Alternative, drawn: Drawn) -> Any:
         assert isinstance(alternative, ExpressionAlternative)
-        count = len(next(iter(probe.kept.values())))
-        values = evaluate_formula(alternative.expression, probe.kept)
+        count = len(next(iter(drawn.expected.values())))
+        values = evaluate_formula(alternative.expression, drawn.expected)
         return {"state": "given", "values": np.broadcast_to(values, (count,)).astype(complex)}
 
     def trial(
@@ -136,9 +134,9 @@ class ExpressionKind(CodeKind[Expression, ExpressionAnswer]):
                 yield entry.expression
 
     def take_snapshot(
-        self, question: Expression, answer: ExpressionAnswer, drawn: Probe, again: Probe
+        self, question: Expression, answer: ExpressionAnswer, drawn: Drawn, again: Drawn
     ) -> tuple[dict[str, Any], list[str]]:
-        return examples.take_snapshot(answer, drawn.kept), []
+        return examples.take_snapshot(answer, drawn.expected), []
 
     def snapshot_probe(
         self, question: Expression, snapshot: dict[str, Any] | None

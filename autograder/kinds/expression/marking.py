@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from autograder.kinds.expression.answer import ExpressionAlternative, ExpressionAnswer
 from autograder.kinds.expression.formula import evaluate_formula
 from autograder.kinds.expression.question import Expression
-from autograder.marking.mark import Mark, status_for
+from autograder.kinds.mark import Mark, status_for
 
 Points = dict[str, NDArray[np.float64]]
 POINT_COUNT = 24

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from autograder.kinds.expression.question import Expression
-from autograder.student.widgets.markup import line
+from autograder.reports.markdown import inline
 from autograder.student.widgets.value import ValueWidget
 
 
@@ -18,5 +18,5 @@ class ExpressionWidget(ValueWidget):
         symbols = self.question.symbols if self._with_prompt else ()
         return {
             **super().what_is_fixed(),
-            "symbols": [{"name": name, "meaning": line(meaning)} for name, meaning in symbols],
+            "symbols": [{"name": name, "meaning": inline(meaning)} for name, meaning in symbols],
         }

@@ -7,22 +7,22 @@ from typing import Any
 
 import numpy as np
 
+from autograder.course.loading import load_object
 from autograder.errors import CourseError
+from autograder.kinds.drawn import Drawn
 from autograder.kinds.function.answer import FunctionAnswer
 from autograder.kinds.function.marking import Expected, close
 from autograder.kinds.function.question import Function
-from autograder.marking.make_probe import load_object
-from autograder.marking.probe import Probe
 from autograder.sandbox.inside.evaluate import evaluate
 
 
-def make_probe(
+def draw(
     question: Function,
     answer: FunctionAnswer,
     rng: np.random.Generator,
     root: Path,
     base: dict[str, Any],
-) -> Probe:
+) -> Drawn:
     """Draw the cases, and run the reference and the known mistakes on them.
 
     Raises:
@@ -40,7 +40,7 @@ def make_probe(
         ],
     )
     shows_first = answer.picture is not None and bool(cases[0].get("public"))
-    return Probe(sent, kept=expected, shows_first=shows_first)
+    return Drawn(sent, expected=expected, shows_first=shows_first)
 
 
 def _outcomes(dotted_name: str, sent: dict[str, Any], root: Path) -> list[dict[str, Any]]:

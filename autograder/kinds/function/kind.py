@@ -8,31 +8,30 @@ from typing import Any
 
 import numpy as np
 
+from autograder.course.loading import load_object
 from autograder.kinds.answer import Alternative
 from autograder.kinds.code import CodeKind
+from autograder.kinds.drawn import Drawn
 from autograder.kinds.function import answer as right
 from autograder.kinds.function import question as asked
 from autograder.kinds.function import snapshot as examples
 from autograder.kinds.function.answer import FunctionAnswer
-from autograder.kinds.function.expected import make_probe
+from autograder.kinds.function.expected import draw
 from autograder.kinds.function.marking import mark_function
 from autograder.kinds.function.promises import promises
 from autograder.kinds.function.question import Function
 from autograder.kinds.function.stub import function_stub, reference_source
 from autograder.kinds.function.take_snapshot import take_snapshot
 from autograder.kinds.function.trial import FunctionTrial
+from autograder.kinds.mark import Mark
 from autograder.kinds.toml_table import Table
-from autograder.marking.make_probe import load_object
-from autograder.marking.mark import Mark
 from autograder.marking.mutants.mutant import Trial
-from autograder.marking.probe import Probe
 
 
 class FunctionKind(CodeKind[Function, FunctionAnswer]):
-    """A function to write; the probe's ``kept`` is what is `Expected` of it."""
+    """A function to write; what is ``expected`` is what is `Expected` of it."""
 
     name = "function"
-    inside = "autograder.kinds.function.inside.evaluate"
     parts_heading = "Kinds of input"
     fewest_variants = 4
 
@@ -44,24 +43,23 @@ class FunctionKind(CodeKind[Function, FunctionAnswer]):
     ) -> FunctionAnswer:
         return right.read_answer(table, alternatives, common)
 
-    def make_probe(
+    def draw(
         self, question: Function, answer: FunctionAnswer, rng: np.random.Generator, root: Path
-    ) -> Probe:
-        base = super().make_probe(question, answer, rng, root).sent
-        return make_probe(question, answer, rng, root, base)
+    ) -> Drawn:
+        return draw(question, answer, rng, root, self.base_probe())
 
     def mark_given(
         self,
         question: Function,
         answer: FunctionAnswer,
-        probe: Probe,
+        drawn: Drawn,
         response: dict[str, Any],
         understood: str,
     ) -> Mark | None:
-        return mark_function(question, answer, probe.kept, response.get("outcomes"))
+        return mark_function(question, answer, drawn.expected, response.get("outcomes"))
 
-    def example(self, probe: Probe) -> tuple[dict[str, Any], Any] | None:
-        case, outcome = probe.kept.cases[0], probe.kept.outcomes[0]
+    def example(self, drawn: Drawn) -> tuple[dict[str, Any], Any] | None:
+        case, outcome = drawn.expected.cases[0], drawn.expected.outcomes[0]
         return (case, outcome["value"]) if case.get("public") and "value" in outcome else None
 
     def picture(self, answer: FunctionAnswer) -> str | None:
@@ -89,8 +87,8 @@ class FunctionKind(CodeKind[Function, FunctionAnswer]):
             if not entry.is_mistake:
                 yield f"the mistake {entry.name!r} gets full credit; lower it."
 
-    def response_like(self, question: Function, alternative: Alternative, probe: Probe) -> Any:
-        outcomes = {entry.name: found for entry, found in probe.kept.mistakes}
+    def response_like(self, question: Function, alternative: Alternative, drawn: Drawn) -> Any:
+        outcomes = {entry.name: found for entry, found in drawn.expected.mistakes}
         return {"state": "given", "outcomes": list(outcomes[alternative.name])}
 
     def secrets(self, question: Function, answer: FunctionAnswer) -> Iterator[str]:
@@ -118,14 +116,14 @@ class FunctionKind(CodeKind[Function, FunctionAnswer]):
         return function
 
     def promises(
-        self, answer: FunctionAnswer, root: Path, probe: Probe
+        self, answer: FunctionAnswer, root: Path, drawn: Drawn
     ) -> list[tuple[str, list[str]]]:
-        return promises(load_object(answer.reference, root), probe.kept)
+        return promises(load_object(answer.reference, root), drawn.expected)
 
     def take_snapshot(
-        self, question: Function, answer: FunctionAnswer, drawn: Probe, again: Probe
+        self, question: Function, answer: FunctionAnswer, drawn: Drawn, again: Drawn
     ) -> tuple[dict[str, Any], list[str]]:
-        return take_snapshot(answer, drawn.kept, again.kept)
+        return take_snapshot(answer, drawn.expected, again.expected)
 
     def snapshot_probe(self, question: Function, snapshot: dict[str, Any] | None) -> dict[str, Any]:
         cases = snapshot["cases"] if snapshot else []

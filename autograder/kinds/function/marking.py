@@ -15,8 +15,8 @@ from autograder.kinds.function.credit import partial_credit
 from autograder.kinds.function.diagnosis import diagnose_function
 from autograder.kinds.function.question import Function
 from autograder.kinds.function.shown import shown_outcome
+from autograder.kinds.mark import Mark, Part, status_for
 from autograder.marking.diagnosis.relations import Diagnosis
-from autograder.marking.mark import Mark, Part, status_for
 
 Outcome = dict[str, Any]
 Compare = Callable[[dict[str, Any], Any, Any], bool]

@@ -16,7 +16,7 @@ _MOST_NUMBERS = 400
 def shown_outcome(cases: Sequence[dict[str, Any]], outcomes: Sequence[Any]) -> Any:
     """The value for the first case, if that is public and the value is a few numbers.
 
-    Only the first: `Probe.opening` asks it before anything hidden has been sent, so that there is
+    Only the first: `Drawn.opening` asks it before anything hidden has been sent, so that there is
     nothing yet that its value could carry out.
     """
     if not cases or not cases[0].get("public") or not isinstance(outcomes[0], dict):

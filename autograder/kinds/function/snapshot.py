@@ -9,8 +9,8 @@ import numpy as np
 from autograder.exchange.reasons import REASONS
 from autograder.kinds.function.marking import agrees, close
 from autograder.kinds.function.question import Function
+from autograder.kinds.mark import Mark, Part, stopped
 from autograder.kinds.snapshot import LATER
-from autograder.marking.mark import Mark, Part, stopped
 
 _SHORT = 160  # characters of an input or a value that a hint may show
 

@@ -7,10 +7,10 @@ import inspect
 import textwrap
 from pathlib import Path
 
+from autograder.course.loading import load_object
 from autograder.errors import CourseError
 from autograder.kinds.function.answer import FunctionAnswer
 from autograder.kinds.function.question import Function
-from autograder.marking.make_probe import load_object
 
 
 def reference_source(answer: FunctionAnswer, root: Path) -> str:

@@ -18,7 +18,7 @@ import numpy as np
 
 from autograder.kinds.function.answer import FunctionAnswer
 from autograder.kinds.function.marking import Expected, agrees, close
-from autograder.marking.pack import pack
+from autograder.kinds.pack import pack
 
 
 def take_snapshot(

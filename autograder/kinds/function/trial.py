@@ -11,10 +11,10 @@ from typing import Any
 
 import numpy as np
 
+from autograder.course.loading import load_object
 from autograder.kinds.function.answer import FunctionAnswer
 from autograder.kinds.function.inside.evaluate import evaluate
 from autograder.kinds.function.marking import Outcome, agrees, close
-from autograder.marking.make_probe import load_object
 from autograder.marking.mutants.clones import reachable, tree_of, with_changed
 from autograder.marking.mutants.edits import begin_with, described, edited
 from autograder.marking.mutants.mutant import Mutant, Trial

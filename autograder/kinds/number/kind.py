@@ -8,6 +8,8 @@ from typing import Any, TypeGuard
 
 from autograder.kinds.answer import Alternative
 from autograder.kinds.code import CodeKind
+from autograder.kinds.drawn import Drawn
+from autograder.kinds.mark import Mark
 from autograder.kinds.number import answer as right
 from autograder.kinds.number import question as asked
 from autograder.kinds.number.answer import NumberAlternative, NumberAnswer
@@ -16,15 +18,12 @@ from autograder.kinds.number.question import Number
 from autograder.kinds.number.typed import read_number
 from autograder.kinds.toml_table import Table
 from autograder.kinds.typed import assign_if_open
-from autograder.marking.mark import Mark
-from autograder.marking.probe import Probe
 
 
 class NumberKind(CodeKind[Number, NumberAnswer]):
     """A value."""
 
     name = "number"
-    inside = "autograder.kinds.number.inside.evaluate"
     has_field = True
 
     def read_question(self, table: Table, common: dict[str, Any]) -> Number:
@@ -56,7 +55,7 @@ class NumberKind(CodeKind[Number, NumberAnswer]):
         self,
         question: Number,
         answer: NumberAnswer,
-        probe: Probe,
+        drawn: Drawn,
         response: dict[str, Any],
         understood: str,
     ) -> Mark | None:
@@ -70,7 +69,7 @@ class NumberKind(CodeKind[Number, NumberAnswer]):
 
         return NumberWidget(desk, question, *checked)
 
-    def response_like(self, question: Number, alternative: Alternative, probe: Probe) -> Any:
+    def response_like(self, question: Number, alternative: Alternative, drawn: Drawn) -> Any:
         assert isinstance(alternative, NumberAlternative)
         return {"state": "given", "value": alternative.value}
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 from decimal import Decimal
 from typing import Any
 
+from autograder.kinds.mark import Mark, status_for
 from autograder.kinds.number.answer import NumberAlternative, NumberAnswer
 from autograder.kinds.number.diagnosis import diagnose_number
 from autograder.kinds.number.question import Number
-from autograder.marking.mark import Mark, status_for
 
 
 def mark_number(

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from autograder.kinds.number.question import Number
-from autograder.student.widgets.markup import line
+from autograder.reports.markdown import inline
 from autograder.student.widgets.value import ValueWidget
 
 
@@ -19,4 +19,4 @@ class NumberWidget(ValueWidget):
 
     def understood(self, value: Any) -> str:
         shown = super().understood(value)
-        return f"{shown} {line(self.question.unit)}" if shown else ""
+        return f"{shown} {inline(self.question.unit)}" if shown else ""

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from autograder.kinds.choice import ChoiceKind
+from autograder.kinds.mark import Mark
 from autograder.kinds.order import answer as right
 from autograder.kinds.order import question as asked
 from autograder.kinds.order import response as given
@@ -14,7 +15,6 @@ from autograder.kinds.order.answer import OrderAnswer
 from autograder.kinds.order.marking import mark_order, transitive_closure
 from autograder.kinds.order.question import Order
 from autograder.kinds.toml_table import Table
-from autograder.marking.mark import Mark
 
 
 class OrderKind(ChoiceKind[Order, OrderAnswer]):

@@ -10,10 +10,10 @@ from collections.abc import Iterable, Iterator, Sequence
 from itertools import permutations, product
 from typing import Any
 
+from autograder.kinds.mark import Mark, Part, not_attempted, status_for, stopped
 from autograder.kinds.order.answer import OrderAnswer
 from autograder.kinds.order.question import Order
 from autograder.kinds.order.response import fits
-from autograder.marking.mark import Mark, Part, not_attempted, status_for, stopped
 
 
 def mark_order(question: Order, answer: OrderAnswer, response: Any) -> Mark:

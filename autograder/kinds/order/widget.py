@@ -7,9 +7,9 @@ from typing import Any
 
 from autograder.kinds.order.question import Order
 from autograder.kinds.order.response import read_response
+from autograder.reports.markdown import inline
 from autograder.student.widgets.base import source
 from autograder.student.widgets.choice import ChoiceWidget
-from autograder.student.widgets.markup import line
 
 HERE = Path(__file__).parent
 
@@ -23,7 +23,7 @@ class OrderWidget(ChoiceWidget):
 
     def what_is_fixed(self) -> dict[str, Any]:
         cards = [
-            {"id": card.id, "text": card.text, "html": line(card.text)}
+            {"id": card.id, "text": card.text, "html": inline(card.text)}
             for card in self.question.cards
         ]
         return {**super().what_is_fixed(), "cards": cards}

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from autograder.kinds.choice import ChoiceKind
+from autograder.kinds.mark import Mark
 from autograder.kinds.toml_table import Table
 from autograder.kinds.true_false import answer as right
 from autograder.kinds.true_false import question as asked
@@ -13,7 +14,6 @@ from autograder.kinds.true_false import response as given
 from autograder.kinds.true_false.answer import TrueFalseAnswer
 from autograder.kinds.true_false.marking import mark_true_false
 from autograder.kinds.true_false.question import TrueFalse
-from autograder.marking.mark import Mark
 
 
 class TrueFalseKind(ChoiceKind[TrueFalse, TrueFalseAnswer]):

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import Any
 
+from autograder.kinds.mark import Mark, Part, not_attempted, status_for, stopped
 from autograder.kinds.true_false.answer import TrueFalseAnswer
 from autograder.kinds.true_false.question import TrueFalse
 from autograder.kinds.true_false.response import fits
-from autograder.marking.mark import Mark, Part, not_attempted, status_for, stopped
 
 
 def mark_true_false(question: TrueFalse, answer: TrueFalseAnswer, response: Any) -> Mark:

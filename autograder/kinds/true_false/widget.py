@@ -7,9 +7,9 @@ from typing import Any
 
 from autograder.errors import UsageError
 from autograder.kinds.true_false.question import TrueFalse
+from autograder.reports.markdown import inline
 from autograder.student.widgets.base import source
 from autograder.student.widgets.choice import ChoiceWidget
-from autograder.student.widgets.markup import line
 
 HERE = Path(__file__).parent
 
@@ -22,7 +22,7 @@ class TrueFalseWidget(ChoiceWidget):
     question: TrueFalse
 
     def what_is_fixed(self) -> dict[str, Any]:
-        statements = [line(statement) for statement in self.question.statements]
+        statements = [inline(statement) for statement in self.question.statements]
         return {**super().what_is_fixed(), "statements": statements}
 
     def do_choose(self, message: dict[str, Any]) -> dict[str, Any]:

@@ -10,8 +10,8 @@ from typing import Any
 from autograder.course import Course
 from autograder.course.questions import Question
 from autograder.gradebook.record import Record
+from autograder.kinds.status import Status
 from autograder.marking import Mark
-from autograder.reports.feedback_html import WORDS
 from autograder.reports.machine import most_points
 from autograder.reports.terminal import printable
 
@@ -75,7 +75,7 @@ def _output(record: Record, question: Question, mark: Mark | None, explanations:
     if mark is None:
         lines.append("Not marked.")
     else:
-        lines.append(f"{WORDS[mark.status]}. {mark.feedback}")
+        lines.append(f"{Status(mark.status).words}. {mark.feedback}")
         if mark.understood and mark.status != "not attempted":
             lines.append(f"Your response was read as: {mark.understood}")
         lines += [

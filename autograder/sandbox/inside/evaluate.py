@@ -8,9 +8,9 @@ answer. What comes back is one of::
     {"state": "unusable", "reason": ..} one of `autograder.exchange.reasons.REASONS`
     {"state": "raised", "error": ..}    the class of the exception, never its text
 
-How a response is read is the business of its kind: the probe names the module, ``inside``, whose
-``evaluate`` does it. The trusted side decides what it is worth. The same code serves the grader's
-sandbox and a student's own notebook.
+How a response is read is the business of its kind: the probe names the kind, and the module whose
+``evaluate`` does it where that is not in the kind's folder here. The trusted side decides what it
+is worth. The same code serves the grader's sandbox and a student's own notebook.
 """
 
 from __future__ import annotations
@@ -31,7 +31,8 @@ def evaluate(response: Any, probe: dict[str, Any]) -> dict[str, Any]:
     if response is ...:
         return {"state": "not attempted"}
     try:
-        inside = importlib.import_module(probe["inside"])
+        name = probe.get("inside") or _inside(probe["kind"])
+        inside = importlib.import_module(name)
         return {"state": "given", **inside.evaluate(response, probe)}
     except NotImplementedError:
         return {"state": "not attempted"}
@@ -46,4 +47,8 @@ def load_kinds() -> None:
     for entry in pkgutil.iter_modules(autograder.kinds.__path__):
         if entry.ispkg:
             with suppress(ModuleNotFoundError):  # a kind whose responses are data has nothing here
-                importlib.import_module(f"{autograder.kinds.__name__}.{entry.name}.inside.evaluate")
+                importlib.import_module(_inside(entry.name))
+
+
+def _inside(kind: str) -> str:
+    return f"{autograder.kinds.__name__}.{kind}.inside.evaluate"

@@ -52,10 +52,10 @@ function keepKeys(...elements) {
 function ownModel(model) {
   let own = null;
   const take = (changed) => (own = changed);
-  model.on("change:ag_probe", take);
-  model.set("ag_probe", true);
-  model.off("change:ag_probe", take);
-  model.set("ag_probe", undefined, { unset: true });
+  model.on("change:ag_look", take);
+  model.set("ag_look", true);
+  model.off("change:ag_look", take);
+  model.set("ag_look", undefined, { unset: true });
   return own;
 }
 

@@ -6,13 +6,14 @@ from typing import Any
 
 from autograder.course.questions import Question
 from autograder.errors import AutograderError
-from autograder.marking.mark import Mark
+from autograder.kinds.mark import Mark
+from autograder.kinds.status import Status
+from autograder.reports.markdown import inline, markdown
 from autograder.student.desk import Desk, hints_open
 from autograder.student.receipts import RECEIPT, receipt
 from autograder.student.responses import Entry, attempts
-from autograder.student.views import SIGNS, number, plural
+from autograder.student.views import number, plural
 from autograder.student.widgets.base import CourseWidget
-from autograder.student.widgets.markup import block, line
 
 
 class QuestionWidget(CourseWidget):
@@ -31,8 +32,8 @@ class QuestionWidget(CourseWidget):
         question = self.question
         return {
             "label": f"{question.id} · {question.title}",
-            "prompt": block(question.prompt) if self._with_prompt else "",
-            "hints": [block(hint) for hint in question.hints],
+            "prompt": markdown(question.prompt) if self._with_prompt else "",
+            "hints": [markdown(hint) for hint in question.hints],
             "marks": self.desk.can_mark(question),
         }
 
@@ -55,15 +56,15 @@ class QuestionWidget(CourseWidget):
         earned = "" if mark.status == "recorded" else _earned(mark)
         return {
             "status": mark.status,
-            "sign": SIGNS.get(mark.status, "!"),
+            "sign": Status(mark.status).sign,
             "points": earned,
-            "feedback": line(mark.feedback),
-            "explanation": block(mark.explanation) if mark.status in _EXPLAINED else "",
+            "feedback": inline(mark.feedback),
+            "explanation": markdown(mark.explanation) if mark.status in _EXPLAINED else "",
             "parts": [
                 {
                     "right": part.right,
-                    "feedback": line(part.feedback),
-                    "explanation": line(part.explanation),
+                    "feedback": inline(part.feedback),
+                    "explanation": inline(part.explanation),
                 }
                 for part in mark.parts
             ],

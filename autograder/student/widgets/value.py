@@ -5,14 +5,14 @@ from __future__ import annotations
 from typing import Any
 
 from autograder.course.questions import Question
+from autograder.kinds.mark import Mark
 from autograder.kinds.registry import kind_of
-from autograder.marking.mark import Mark
+from autograder.reports.markdown import formula, inline
 from autograder.sandbox.inside.evaluate import describe
 from autograder.student.desk import Desk
 from autograder.student.frontend import running_shell
 from autograder.student.responses import Entry
 from autograder.student.widgets.base import source
-from autograder.student.widgets.markup import formula, line
 from autograder.student.widgets.question import QuestionWidget
 
 
@@ -78,7 +78,7 @@ class ValueWidget(QuestionWidget):
             import sympy as sp
 
             return f"{name} {formula(sp.latex(value))}"
-        return f"{name} {line(_plain(describe(value)))}"
+        return f"{name} {inline(_plain(describe(value)))}"
 
     def do_type(self, message: dict[str, Any]) -> dict[str, Any]:
         """Keep what is typed, as soon as it can be understood."""

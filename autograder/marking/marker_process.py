@@ -1,4 +1,4 @@
-"""The process that marks for a notebook: ``python -m autograder.student.marker_process``.
+"""The process that marks for a notebook: ``python -m autograder.marking.marker_process``.
 
 It holds the key where the solutions are at hand, and answers two messages on standard input:
 ``{"do": "probe", "question": id}`` with what the kernel has to evaluate, and
@@ -39,7 +39,7 @@ def _answer(marker: Marker, message: dict[str, Any]) -> dict[str, Any]:
     id = message["question"]
     try:
         if message["do"] == "probe":
-            return {"sent": marker.probe(id).sent}
+            return {"probe": marker.drawn(id).probe}
         return {"mark": marker.mark(id, message["response"], message["understood"]).to_dict()}
     except AutograderError as error:
         return {"error": str(error)}

@@ -6,18 +6,9 @@ from dataclasses import asdict, dataclass
 from typing import Any
 
 from autograder.kinds.question import Question
+from autograder.kinds.status import Status
 
-STATUSES = (
-    "right",
-    "partial",
-    "wrong",
-    "not attempted",
-    "error",  # the student's code raised
-    "timeout",
-    "killed",  # memory, crash
-    "unreadable",  # the submission could not be opened
-    "recorded",  # no key here to mark it with
-)
+STATUSES = tuple(str(status) for status in Status)
 
 
 @dataclass(frozen=True)
@@ -60,7 +51,7 @@ class Mark:
 
     def __post_init__(self) -> None:
         if self.status not in STATUSES:
-            raise ValueError(f"{self.status!r} is no status of a mark")
+            raise ValueError(f"{self.status!r} is not a status of a mark")
         if not 0 <= self.credit <= 1:
             raise ValueError(f"credit {self.credit} is not between 0 and 1")
 

@@ -1,0 +1,32 @@
+"""A question made ready to be put: its probe, which is sent, and what stays here."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+
+@dataclass(frozen=True)
+class Drawn:
+    """What was drawn for one question: ``probe`` crosses to the student, the rest never does.
+
+    ``expected`` is whatever the question's kind needs to mark what comes back.
+
+    ``shows_first`` says that students are shown what their function returns for the first case. The
+    case is then asked in a probe of its own, `opening`, and the others later, in `rest`: student
+    code can look into its callers, and would find the hidden inputs that come with the public one.
+    """
+
+    probe: dict[str, Any]
+    expected: Any = None
+    shows_first: bool = False
+
+    @property
+    def opening(self) -> dict[str, Any] | None:
+        """The probe that is to be sent before anything hidden is, if there is such a part."""
+        return {**self.probe, "cases": self.probe["cases"][:1]} if self.shows_first else None
+
+    @property
+    def rest(self) -> dict[str, Any]:
+        """The probe that is to be sent after the opening; the whole where there is none."""
+        return {**self.probe, "cases": self.probe["cases"][1:]} if self.shows_first else self.probe

@@ -1,0 +1,1 @@
+"""Text: an answer in words, which a person marks by a rubric."""

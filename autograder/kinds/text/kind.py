@@ -1,0 +1,93 @@
+"""Text, as the engine sees it: kept like any choice, and never marked by a machine."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from autograder.errors import UsageError
+from autograder.kinds.choice import ChoiceKind
+from autograder.kinds.mark import Mark, not_attempted
+from autograder.kinds.text import answer as right
+from autograder.kinds.text import question as asked
+from autograder.kinds.text.answer import TextAnswer
+from autograder.kinds.text.question import Text
+from autograder.kinds.toml_table import Table
+
+
+class TextKind(ChoiceKind[Text, TextAnswer]):
+    """An answer in words, marked by a person with a rubric."""
+
+    name = "text"
+    by_hand = True
+
+    def read_question(self, table: Table, common: dict[str, Any]) -> Text:
+        return asked.read_question(table, common)
+
+    def read_answer(
+        self, question: Text, table: Table, alternatives: list[Table], common: dict[str, Any]
+    ) -> TextAnswer:
+        return right.read_answer(question, table, alternatives, common)
+
+    def fits(self, question: Text, response: Any) -> bool:
+        return isinstance(response, str) and len(response) <= question.longest
+
+    def is_untouched(self, question: Text, response: Any) -> bool:
+        return not str(response).strip()
+
+    def read_response(self, question: Text, response: Any) -> Any:
+        if not isinstance(response, str):
+            raise UsageError(f"{question.id} asks for words: respond with a text in quotes.")
+        response = "".join(c if c >= " " or c in "\n\t" else " " for c in response)
+        if len(response) > question.longest:
+            raise UsageError(
+                f"That has {len(response)} characters, and {question.id} takes {question.longest}; "
+                "shorten it. Nothing was changed."
+            )
+        return response
+
+    def in_words(self, question: Text, response: Any) -> str:
+        return str(response)
+
+    def mark_choice(self, question: Text, answer: TextAnswer, response: Any) -> Mark:
+        if not isinstance(response, str) or self.is_untouched(question, response):
+            return not_attempted(question)
+        # One that is too long was not written in the field; whoever marks it sees that it is cut.
+        said = response if len(response) <= asked.MOST else response[: asked.MOST] + " …"
+        printable = "".join(c if c.isprintable() or c == "\n" else " " for c in said)
+        return Mark(
+            question.id,
+            "recorded",
+            0.0,
+            question.points,
+            "Kept. A person will mark it.",
+            explanation=answer.explanation,
+            understood=printable,
+        )
+
+    def lines(self, question: Text, response: Any) -> list[str]:
+        kept = [f"> {line}" for line in str(response).splitlines()] if response else []
+        return [*kept, "", f'Answer with `ask("{question.id}").respond("""...""")`.']
+
+    def widget(self, desk: Any, question: Text, *checked: Any) -> Any:
+        from autograder.kinds.text.widget import TextWidget
+
+        return TextWidget(desk, question)
+
+    def read_as(self, question: Text, mark: Mark) -> list[str] | None:
+        return None
+
+    def solution(self, answer: TextAnswer) -> str:
+        return repr(answer.model)
+
+    def secrets(self, question: Text, answer: TextAnswer) -> Iterator[str]:
+        yield from super().secrets(question, answer)
+        yield answer.model
+        for criterion in answer.rubric:
+            yield criterion.name
+            for level in criterion.levels:
+                yield level.name
+                yield level.feedback
+
+
+KIND = TextKind()

@@ -1,0 +1,83 @@
+"""Windows' redirects, ASCII, a narrow terminal, none at all: no traceback, the same content."""
+
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+import sys
+from io import StringIO
+from pathlib import Path
+
+import pytest
+from rich.console import Console
+
+from autograder.course import Course
+from autograder.gradebook import Record
+from autograder.reports.terminal import print_record, print_table
+from tests.classroom import all_marks, graded, hand_in, make_course, mark
+
+NAME = "Łukasz Müller"
+
+
+@pytest.fixture(scope="module")
+def classroom(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    root = tmp_path_factory.mktemp("any")
+    make_course(root / "course")
+    hand_in(root / "work", NAME, Q2="trees = 7")
+    return root
+
+
+def run(root: Path, *arguments: str, **environment: str) -> subprocess.CompletedProcess[bytes]:
+    command = [sys.executable, "-m", "autograder", "--course", str(root / "course"), *arguments]
+    variables = {k: v for k, v in os.environ.items() if k not in ("PYTHONUTF8", "COLUMNS")}
+    return subprocess.run(
+        command, capture_output=True, env={**variables, **environment}, timeout=300
+    )
+
+
+@pytest.mark.parametrize("encoding", ["utf-8", "cp1252", "ascii", "latin-1"])
+def test_every_encoding_shows_the_same_words(classroom: Path, encoding: str):
+    out = ["--out", str(classroom / encoding)]
+    setting = {"PYTHONIOENCODING": encoding}
+    assert run(classroom, "grade", str(classroom / "work"), *out, **setting).returncode == 0
+    shown = run(classroom, "show", NAME, *out, **setting)
+    assert b"Traceback" not in shown.stderr
+    assert shown.returncode == 0
+    words = " ".join(shown.stdout.decode(encoding).split())
+    assert "rows and trees added" in words
+    assert "8.5 of 10 points" in words
+    assert NAME.encode(encoding, "backslashreplace").decode(encoding) in words
+    sign = "✓" if encoding == "utf-8" else "+"
+    assert f"{sign} Q1" in words
+
+
+@pytest.mark.parametrize("closed", [">&-", "2>&-", ">&- 2>&- <&-"])
+def test_without_any_output_the_work_is_done_all_the_same(classroom: Path, closed: str, tmp_path):
+    command = f'"{sys.executable}" -m autograder --course "{classroom / "course"}" grade '
+    command += f'"{classroom / "work"}" --out "{tmp_path / "grades"}" {closed}'
+    assert subprocess.run(["sh", "-c", command], timeout=300).returncode == 0
+    assert "8.5" in (tmp_path / "grades/grades.csv").read_text()
+
+
+@pytest.fixture(scope="module")
+def course(tmp_path_factory: pytest.TempPathFactory) -> Course:
+    return make_course(tmp_path_factory.mktemp("orchard") / "course")
+
+
+@pytest.mark.parametrize("width", [8, 20, 40, 59, 60, 200])
+def test_a_terminal_of_any_width_shows_all_of_it(course: Course, width: int):
+    long = "The first apple is missing from your search, so look again from the start."
+    marks = (*all_marks()[:3], mark("Q4", 0.5, 4, feedback=long, understood="x" * 70))
+    record = Record(graded("ada", *marks, notes=("A notebook was found twice.",)), 1, 1)
+    file = StringIO()
+    console = Console(file=file, width=width)
+    print_table(console, course, [record])
+    print_record(console, course, record, [])
+    shown = re.sub(r"\s", "", file.getvalue())
+    for said in (long, "A notebook was found twice.", "Q4"):
+        if width >= 60 and said == long:
+            continue  # folded beside another column: its words are there, in pieces
+        assert re.sub(r"\s", "", said) in shown
+    assert file.getvalue().count("x") >= 70
+    assert "…" not in shown
