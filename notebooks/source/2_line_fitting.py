@@ -71,6 +71,9 @@ figures.steep_walls(straight)
 figures.polar_line(r=1.8, alpha=math.radians(35))
 
 # %% [markdown]
+# (The exercise sheet derives this equation from Pythagoras, $x^2 + y^2 = r^2$. That is true only for the foot of the
+# normal, $x = r\cos\alpha$, $y = r\sin\alpha$; for the other points of the line it takes what comes next.)
+#
 # Read the equation as a dot product: $(\cos\alpha, \sin\alpha)$ is the **normal**, the unit vector at right
 # angles to the line, and all points of the line reach equally far in its direction.
 #
@@ -127,7 +130,8 @@ explore_polar_line(five)
 
 # %% [markdown]
 # Squares make the mathematics easy, as you will see, and they have a dark side. A point that is ten
-# times as far from the line as another adds a hundred times as much to the cost.
+# times as far from the line as another adds a hundred times as much to the cost. (The sheet calls outliers *measurement
+# noise*. Noise is the small scatter of every point; an outlier does not belong to the line at all.)
 
 # %% exercise="Q2.1"
 
@@ -270,7 +274,8 @@ figures.fitted_line(wall, fit_line)
 # %% exercise="Q2.4"
 
 # %% [markdown]
-# The band shows where the line lies with a probability of 95 %. Mind the axes: across the wall the
+# At each position along the wall, the line lies in the band with a probability of 95 %. (The whole line stays inside
+# less often: a line that is right in the middle may leave the band at an end.) Mind the axes: across the wall the
 # scale is in centimetres, along it in metres. **Predict**: where is the band narrowest, and what happens to
 # it beyond the last point?
 

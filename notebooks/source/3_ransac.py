@@ -106,6 +106,9 @@ w = 0.2  # the share of inliers among them
 p = 0.95  # the probability of success that we want
 
 # %% [markdown]
+# (The exercise sheet calls $w$ the *inlier count* and $p$ the *probability of all inliers*. It computes with $w = 0.2$, a
+# share, and with $p$ as the probability that at least one sample holds inliers only, as we do.)
+#
 # When a point is drawn, it is an inlier with probability $w$. Strictly speaking, that changes a little once
 # a point has been taken out: of the 999 that remain, 199 are inliers. The cloud is large, so we neglect that.
 #
@@ -188,7 +191,7 @@ figures.waiting_times(N, w, 3, plane_iterations, np.random.default_rng(0))
 
 # %% [markdown]
 # How the number grows, by your function. The vertical axis is logarithmic: each line of the grid is ten times the one
-# below. (A sample of eight points is what the geometry between two photographs takes.)
+# below. (Two photographs take seven points, or eight with the simplest method, as drawn here.)
 
 # %% demo=true
 figures.growth(required_iterations, {"a line": 2, "a plane": 3, "two photographs": 8})
@@ -226,7 +229,8 @@ figures.noisy_inliers(N, w, iterations, np.random.default_rng(0))
 
 # %% [markdown]
 # On the left are the lines through two points, on the right the same after the last step of RANSAC: a fit by least squares to
-# the consensus set. The refit cannot help those runs that had no clean sample at all, but it repairs nearly all others.
+# the consensus set. The refit cannot help those runs that had no clean sample at all, but it repairs about four of
+# five of the others.
 # That is why step 5 is not a luxury.
 #
 # ## Your RANSAC
@@ -323,7 +327,7 @@ world_y = y + seen * np.sin(heading + scans.angles)
 figures.corridor(world_x, world_y, scans.poses[:, :2])
 
 # %% [markdown]
-# That is a heap of half a million points. Your `find_walls` turns it into a drawing: here it looks for walls in every
+# That is a heap of 684,628 points. Your `find_walls` turns it into a drawing: here it looks for walls in every
 # thirtieth scan, and what it finds is drawn as segments. It takes a few seconds.
 
 # %% demo=true

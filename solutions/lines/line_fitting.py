@@ -23,14 +23,16 @@ class Line(NamedTuple):
 def fit_line(points: np.ndarray, weights: np.ndarray | None = None) -> Line:
     """Return the line with the least sum of squared distances to the points.
 
-    `points` is an (N, 2) array of x and y in metres; `weights` are N numbers >= 0 that
-    multiply the squared distances (all 1 if not given). The result has r >= 0 and
-    -pi < alpha <= pi. It is as exact for points 1000 km from the origin as near it.
+    `points` is an (N, 2) array of x and y in metres, all finite; `weights` are N numbers >= 0,
+    not all of them 0, that multiply the squared distances (all 1 if not given). The result has
+    r >= 0 and -pi < alpha <= pi. It is as exact for points 1000 km from the origin as near it.
+    Neither array is changed.
 
     Raises ValueError if the points do not determine a line: fewer than two different
-    points, or a cloud that is equally wide in all directions. The same for points that are
-    not finite, and for weights that are negative or all zero.
+    points, or a cloud that is equally wide in all directions.
     """
+    if np.ma.is_masked(points):  # the mask would be dropped without a word
+        raise ValueError("No line: some points are masked; leave them out first.")
     points = np.asarray(points, dtype=float)
     if points.ndim != 2 or points.shape[1] != 2 or len(points) < 2:
         raise ValueError(f"A line needs an (N, 2) array of two points or more, not {points.shape}.")
@@ -69,11 +71,13 @@ def line_covariance(
 ) -> np.ndarray:
     """Return the (2, 2) covariance of (r, alpha) of the fitted line, in m², m rad and rad².
 
-    `sigma` is the standard deviation of the points' coordinates in metres, the same in all
-    directions: one number, or one for each point. `weights` are those of `fit_line`. To first
-    order in sigma: right as long as sigma is small against the length of the cloud.
+    `sigma` is the standard deviation of the points' coordinates in metres, not negative and the
+    same in all directions: one number, or one for each point. `weights` are those of `fit_line`.
+    To first order in sigma: right as long as sigma is small against the length of the cloud.
     """
     points = np.asarray(points, dtype=float)
+    if not np.all(np.asarray(sigma) >= 0):
+        raise ValueError(f"A standard deviation is a number >= 0, not {sigma}.")
     alpha = fit_line(points, weights).alpha
     weights = np.ones(len(points)) if weights is None else np.asarray(weights, dtype=float)
     center = np.average(points, axis=0, weights=weights)

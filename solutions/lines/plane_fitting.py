@@ -19,6 +19,8 @@ def fit_plane(points: np.ndarray) -> Plane:
     Raises ValueError if the points do not determine a plane: fewer than three, all on one
     line, or a cloud that is as thin in one direction as in another.
     """
+    if np.ma.is_masked(points):  # the mask would be dropped without a word
+        raise ValueError("No plane: some points are masked; leave them out first.")
     points = np.asarray(points, dtype=float)
     if points.ndim != 2 or points.shape[1] != 3 or len(points) < 3:
         raise ValueError(f"A plane needs an (N, 3) array of 3 points or more, not {points.shape}.")

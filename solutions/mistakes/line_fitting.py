@@ -4,10 +4,12 @@ import math
 
 import numpy as np
 
-from solutions.lines.line_fitting import Line, fit_line
+from solutions.lines.line_fitting import Line, fit_line, line_covariance
 
 
-def _centred_sums(points, weights):
+def _centred_sums(points, weights, check=True):
+    if check:
+        fit_line(points, weights)  # raises where no line is the best one
     weights = np.ones(len(points)) if weights is None else weights
     center = np.average(points, axis=0, weights=weights)
     dx, dy = (points - center).T
@@ -21,9 +23,9 @@ def _line_through(center, alpha):
     return Line(r, alpha - 2 * math.pi if alpha > math.pi else alpha)
 
 
-def keeps_negative_radius(points, weights=None):
+def keeps_negative_radius(points, weights=None, check=True):
     """The right line, but r may be negative."""
-    center, S_xx, S_xy, S_yy = _centred_sums(points, weights)
+    center, S_xx, S_xy, S_yy = _centred_sums(points, weights, check)
     alpha = 0.5 * math.atan2(-2 * S_xy, S_yy - S_xx)
     return Line(center[0] * math.cos(alpha) + center[1] * math.sin(alpha), alpha)
 
@@ -40,14 +42,15 @@ def leaves_alpha_unwrapped(points, weights=None):
     return Line(r, alpha) if r >= 0 else Line(-r, alpha + math.pi)
 
 
-def plain_arctan(points, weights=None):
+def plain_arctan(points, weights=None, check=True):
     """The sheet's last formula as it stands: the worst line whenever Syy < Sxx."""
-    center, S_xx, S_xy, S_yy = _centred_sums(points, weights)
+    center, S_xx, S_xy, S_yy = _centred_sums(points, weights, check)
     return _line_through(center, 0.5 * math.atan(-2 * S_xy / (S_yy - S_xx)))
 
 
 def does_not_centre(points, weights=None):
     """Uses sums of x², xy and y² about the origin."""
+    fit_line(points, weights)
     weights = np.ones(len(points)) if weights is None else weights
     x, y = points.T
     S_xx, S_xy, S_yy = (weights * x * x).sum(), (weights * x * y).sum(), (weights * y * y).sum()
@@ -69,6 +72,7 @@ def ignores_weights(points, weights=None):
 
 def subtracts_large_squares(points, weights=None):
     """Centres after squaring (sum of x² - N xc²), which loses the digits of far points."""
+    fit_line(points, weights)
     weights = np.ones(len(points)) if weights is None else weights
     x, y = points.T
     N = weights.sum()
@@ -77,6 +81,32 @@ def subtracts_large_squares(points, weights=None):
     S_xy = (weights * x * y).sum() - N * x_c * y_c
     S_yy = (weights * y * y).sum() - N * y_c * y_c
     return _line_through((x_c, y_c), 0.5 * math.atan2(-2 * S_xy, S_yy - S_xx))
+
+
+def centres_in_place(points, weights=None):
+    """Subtracts the centre from the array it was given."""
+    line = fit_line(points, weights)
+    points -= np.average(points, axis=0, weights=weights)
+    return line
+
+
+def fits_anything(points, weights=None):
+    """Returns some line even where no line is better than another."""
+    r, alpha = keeps_negative_radius(points, weights, check=False)
+    if r < 0:
+        r, alpha = -r, alpha + math.pi
+    return Line(r, alpha - 2 * math.pi if alpha > math.pi else alpha)
+
+
+def fits_anything_and_keeps_negative_radius(points, weights=None):
+    """The formula alone: no check, and r may be negative."""
+    return keeps_negative_radius(points, weights, check=False)
+
+
+def fits_anything_with_arctan(points, weights=None):
+    """The sheet's last formula as it stands, on any points."""
+    with np.errstate(invalid="ignore", divide="ignore"):
+        return plain_arctan(points, weights, check=False)
 
 
 def _line_derivatives(points):
@@ -99,6 +129,14 @@ def covariance_with_the_wrong_sign(points, sigma, weights=None):
     """Lets the normal turn the other way: r and alpha are correlated with the wrong sign."""
     lever, d_alpha, d_center = _line_derivatives(points)
     return _covariance(d_center - lever * d_alpha, d_alpha, sigma**2)
+
+
+def covariance_with_one_point_less(points, sigma, weights=None):
+    """Takes sigma²/(N - 1) for the variance of the mean of N points."""
+    N = len(points)
+    covariance = line_covariance(points, sigma)
+    covariance[0, 0] += sigma**2 * (1 / (N - 1) - 1 / N)
+    return covariance
 
 
 def covariance_without_the_lever(points, sigma, weights=None):

@@ -21,7 +21,11 @@ def extract_features(
     """Return the features of a grey (H, W) or red, green, blue (H, W, 3) image of bytes.
 
     `most` limits their number to the strongest; 0 is no limit for SIFT, and 1000 for ORB.
+
+    Raises ValueError for any other kind.
     """
+    if kind not in ("sift", "orb"):
+        raise ValueError(f"There are features of the kinds 'sift' and 'orb', not {kind!r}.")
     detector = cv2.SIFT.create(most) if kind == "sift" else cv2.ORB.create(most or 1000)
     grey = image if image.ndim == 2 else cv2.cvtColor(image, cv2.COLOR_RGB2GRAY)
     keypoints, descriptors = detector.detectAndCompute(grey, None)

@@ -9,12 +9,14 @@ import numpy as np
 
 
 def assign_words(descriptors: np.ndarray, words: np.ndarray) -> np.ndarray:
-    """Return for each descriptor the index of the nearest word: (N,) integers from 0 to K - 1.
+    """Return for each descriptor the index of the nearest word: (N,) whole numbers from 0 to K - 1.
 
     `descriptors` is (N, d), `words` is (K, d), both hold floats; K is at least 1. Near means
     the Euclidean distance. Of several words at the same distance the first one counts. No
     descriptors (N = 0) give an empty array.
     """
+    # Bytes and halves overflow when squared.
+    descriptors, words = np.asarray(descriptors, dtype=float), np.asarray(words, dtype=float)
     # |x - c|² = |x|² - 2 (x·c - |c|²/2), and |x|² is the same for all words c.
     closeness = descriptors @ words.T - 0.5 * (words**2).sum(axis=1)
     return closeness.argmax(axis=1)
@@ -32,7 +34,7 @@ def descend_tree(descriptor: np.ndarray, levels: list[np.ndarray]) -> int:
     branching = len(levels[0])
     node = 0
     for centers in levels:
-        children = centers[branching * node : branching * (node + 1)]
+        children = centers[branching * node : branching * (node + 1)].astype(float)
         squared_distances = ((children - descriptor) ** 2).sum(axis=1)
         node = branching * node + int(squared_distances.argmin())
     return node

@@ -253,7 +253,7 @@ def test_a_typed_number_is_read_and_nonsense_is_not_kept(sheet: Notebook):
     question.get_by_role("textbox").fill("3 * 7")
     expect(question.locator(".ag-understood")).to_contain_text("21")
     question.get_by_role("textbox").fill("3 * seven")
-    expect(question.locator(".ag-status")).to_contain_text("seven is no number here")
+    expect(question.locator(".ag-status")).to_contain_text("seven is not a number here")
     assert response(sheet, "Q3.2.1") == 21
 
 

@@ -52,7 +52,7 @@ def test_a_number_is_read(text: str, value: float):
         ("(1 + 2", "bracket is missing"),
         ("area = 12", "without an equals sign"),
         ("0,5", "with a point"),
-        ("a", "a is no number"),
+        ("a", "a is not a number"),
         ("1/0", "no value"),
         ("log(-1)", "no value"),
         ("9**9**9**9", "too large"),

@@ -111,7 +111,7 @@ def evaluate_formula(
     except RecursionError:
         raise CourseError(f"{shown} is not a formula: it is nested too deeply.") from None
     except TypeError:  # minus a comparison
-        raise CourseError(f"{shown} is not a formula: a comparison is no number.") from None
+        raise CourseError(f"{shown} is not a formula: a comparison is not a number.") from None
 
 
 def _shortened(node: ast.expr) -> str:

@@ -41,7 +41,7 @@ def read_number(text: str, variables: Mapping[str, Any]) -> int | float:
         value = variables.get(id)
         if isinstance(value, int | float) and not isinstance(value, bool):
             return value
-        raise UsageError(f"{id} is no number here.")
+        raise UsageError(f"{id} is not a number here.")
 
     try:
         value = value_of(tree, name, functions)

@@ -19,7 +19,7 @@ def mark_true_false(question: TrueFalse, answer: TrueFalseAnswer, response: Any)
         return stopped(
             question,
             "unreadable",
-            f"The stored response is no list of {len(question.statements)} true or false.",
+            f"The stored response is not a list of {len(question.statements)} true or false.",
         )
     if all(said is None for said in response):
         return not_attempted(question)

@@ -57,8 +57,8 @@ class ImageDatabase:
         of weighted histograms. An image that shares no word (with tf-idf: no word of any weight)
         is no candidate, so the list may be shorter, or empty.
         """
-        if top < 1:
-            raise ValueError(f"Ask for one candidate at least, not for top={top}.")
+        if not isinstance(top, int | np.integer) or top < 1:
+            raise ValueError(f"Ask for a whole number of candidates, 1 or more, not for top={top}.")
         words = self.tree.words(descriptors)
         if scoring == "votes":
             votes = self._index.votes(words)

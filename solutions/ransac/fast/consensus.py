@@ -100,6 +100,8 @@ def draw_samples(N: int, s: int, count: int, rng: np.random.Generator) -> np.nda
 
     Every set of s is equally likely (Floyd's method: Bentley, Programming Pearls, CACM 1987).
     """
+    if not isinstance(rng, np.random.Generator):
+        raise TypeError(f"Samples are drawn with a np.random.Generator, not with {rng!r}.")
     last = np.arange(N - s, N)[:, None]
     samples = (rng.random((s, count)) * (last + 1)).astype(np.intp)
     for i in range(1, s):

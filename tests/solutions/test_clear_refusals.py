@@ -1,0 +1,51 @@
+"""Input that is not meant is refused in one sentence, or understood; never misread."""
+
+import numpy as np
+import pytest
+
+from solutions.lines.line_fitting import fit_line, line_covariance
+from solutions.lines.plane_fitting import fit_plane
+from solutions.place_recognition import (
+    assign_words,
+    build_inverted_file,
+    count_votes,
+    descend_tree,
+    extract_features,
+)
+
+
+@pytest.mark.parametrize("kind", [np.uint8, np.int8, np.int16, np.float16])
+def test_small_numbers_do_not_overflow_on_the_way_to_a_word(kind):
+    # In one byte, 100 squared is 16, and the nearest word would be the farthest.
+    descriptors = np.array([[100, 100], [3, 1]]).astype(kind)
+    words = np.array([[0, 0], [99, 98], [120, 1]]).astype(kind)
+    assert assign_words(descriptors, words).tolist() == [1, 0]
+    assert [descend_tree(descriptor, [words]) for descriptor in descriptors] == [1, 0]
+
+
+def test_an_unknown_kind_of_feature_is_not_taken_for_orb():
+    with pytest.raises(ValueError, match="'sift' and 'orb', not 'surf'"):
+        extract_features(np.zeros((20, 20), np.uint8), "surf")  # type: ignore[arg-type]
+
+
+def test_masked_points_are_not_used_behind_the_readers_back():
+    points = np.ma.array(np.random.default_rng(0).normal(size=(9, 3)))
+    points[4] = np.ma.masked
+    with pytest.raises(ValueError, match="masked; leave them out"):
+        fit_plane(points)
+    with pytest.raises(ValueError, match="masked; leave them out"):
+        fit_line(points[:, :2])
+
+
+def test_a_negative_deviation_is_refused():
+    points = np.array([[2.0, 1.0], [2.0, 2.0], [2.0, 3.0]])
+    for sigma in (-0.1, np.array([0.1, -0.1, 0.1]), float("nan")):
+        with pytest.raises(ValueError, match="standard deviation"):
+            line_covariance(points, sigma)
+
+
+def test_a_word_below_zero_is_not_the_last_one():
+    with pytest.raises(ValueError, match="the word -1, not 0 to 3"):
+        build_inverted_file([np.array([0, -1])], 4)
+    with pytest.raises(ValueError, match="word -1 is not in the file"):
+        count_votes(np.array([-1]), [[0], [1]], 2)
