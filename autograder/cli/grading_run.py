@@ -48,6 +48,8 @@ def grade_and_report(
     _require_packages(course)
     address = None if parsed.cluster is None else parse_address(parsed.cluster)
     questions = frozenset(course.question(id).id for id in parsed.question or ()) or None
+    # The times count as they were before any student code ran.
+    handed_in = {submission.student: handed_in_at(submission.path) for submission in submissions}
     before = {record.student: record for record in book.records()}
     isolation: Isolation = "none" if parsed.no_sandbox else "auto"
     run = _choose_run(parsed, course, book, regrade, isolation)
@@ -94,13 +96,14 @@ def grade_and_report(
     students = {submission.student for submission in submissions}
     class_list = find_class_list(parsed, book)
     book.set_lateness(
-        {
-            submission.student: class_list.lateness(
-                submission.student, handed_in_at(submission.path)
-            )
-            for submission in submissions
-        }
+        {student: class_list.lateness(student, found) for student, found in handed_in.items()}
     )
+    touched = [s.student for s in submissions if handed_in_at(s.path) != handed_in[s.student]]
+    if touched:
+        warn(
+            f"While this ran, the files of {', '.join(touched)} were changed; what was graded, and "
+            "whether it was late, is as it was at the start. Look who changed them, then regrade."
+        )
     options = Options(parsed.out, students, class_list)
     written = write_reports(course, book, options, console)
     records = [
