@@ -1,6 +1,5 @@
 """Attempts to take for ever and to end what grades; the kind of isolation makes no difference."""
 
-import time
 from dataclasses import replace
 
 import pytest
