@@ -15,9 +15,9 @@ import sympy as sp
 
 from autograder.course import Course
 from autograder.kinds.answer import Answer
+from autograder.kinds.drawn import Drawn
 from autograder.kinds.registry import kind_of
-from autograder.marking.make_probe import make_probe
-from autograder.marking.probe import Probe
+from autograder.marking.draw import draw
 from autograder.sandbox.inside.evaluate import evaluate
 
 SEEDS = range(25)
@@ -57,22 +57,22 @@ def typed(text: str) -> Any:
 
 
 @cache
-def probe_of(course: Course, id: str, seed: int) -> tuple[Answer, Probe]:
+def drawn_for(course: Course, id: str, seed: int) -> tuple[Answer, Drawn]:
     """A question made ready, without its mistakes: to run them takes long and changes nothing."""
     question, answer = course.questions[id], course.key[id]
     if id in FUNCTIONS:
         answer = replace(answer, alternatives=())
-    return answer, make_probe(question, answer, seed, course.root)
+    return answer, draw(question, answer, seed, course.root)
 
 
 def lost(course: Course, id: str, response: Any) -> list[str]:
     """The feedback of every seed under which the response earns less than everything."""
     question, said = course.questions[id], []
     for seed in SEEDS:
-        answer, probe = probe_of(course, id, seed)
+        answer, drawn = drawn_for(course, id, seed)
         with np.errstate(all="ignore"):
-            reply = evaluate(response, probe.sent)
-        mark = kind_of(question).mark(question, answer, probe, reply, "")
+            reply = evaluate(response, drawn.probe)
+        mark = kind_of(question).mark(question, answer, drawn, reply, "")
         if (mark.status, mark.credit) != ("right", 1):
             said.append(f"seed {seed}: {mark.feedback}")
     return said
