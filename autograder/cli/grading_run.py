@@ -50,6 +50,8 @@ def grade_and_report(
     Pictures(course)
     _require_packages(course)
     questions = frozenset(course.question(id).id for id in parsed.question or ()) or None
+    # The times count as they were before any student code ran.
+    lateness = {row.submission.student: row.lateness() for row in summary.rows}
     before = {record.student: record for record in book.records()}
     isolation: Isolation = "none" if parsed.no_sandbox else "auto"
     run = _choose_run(parsed, course, book, regrade, isolation)
@@ -101,7 +103,7 @@ def grade_and_report(
     if parsed.explanations is not None:
         book.set("explanations", "yes" if parsed.explanations else "no")
     students = {submission.student for submission in submissions}
-    book.set_lateness({row.submission.student: row.lateness() for row in summary.rows})
+    book.set_lateness(lateness)
     view = view_class(course, book, class_list)
     summary.missing = tuple(view.missing)
     book.set("intake", summary.sentence())

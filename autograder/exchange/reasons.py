@@ -1,7 +1,7 @@
 """Why a response is none: the words that cross, and what they mean."""
 
 REASONS = {
-    "text": "it is text; write it without quotes",
+    "text": "it is a string; write it without quotes",
     "equation": "it is an equation; give only its right-hand side",
     "callable": "it is a function; give the value or expression itself",
     "not a number": "it is not a number",

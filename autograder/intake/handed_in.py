@@ -17,14 +17,13 @@ from typing import Protocol
 from autograder.course import Settings
 from autograder.intake.archive import Archive, archive_from_bytes, shown
 from autograder.intake.names import moodle_name, rest_of
-from autograder.intake.notebook_reader import Unreadable
+from autograder.intake.notebook_reader import SUBMITTED, Unreadable
 from autograder.intake.origin import Piece
 from autograder.intake.place import Place, is_notebook_name, place_of
 
 MAX_DEPTH = 8  # folders inside folders
 MAX_ZIPS = 3  # zips inside zips
 MAX_SIDECAR = 2**20
-SUBMITTED = "submitted.txt"  # when `submit()` packed it: a hint, students can change it
 _OTHER_ARCHIVES = (".rar", ".7z", ".tar", ".tgz", ".gz", ".bz2", ".xz", ".zipx")
 _OFFICE = (".docx", ".xlsx", ".pptx", ".odt", ".ods", ".jar", ".apk")
 _MOST_NOTES = 20

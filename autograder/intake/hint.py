@@ -7,8 +7,7 @@ from datetime import datetime
 
 from autograder.course import Settings
 from autograder.intake.archive import Archive, archive_from_bytes
-from autograder.intake.handed_in import SUBMITTED
-from autograder.intake.notebook_reader import Unreadable
+from autograder.intake.notebook_reader import SUBMITTED, Unreadable
 from autograder.intake.origin import Piece
 from autograder.intake.place import Place, is_zip, place_of
 from autograder.intake.times import read_time

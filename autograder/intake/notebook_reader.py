@@ -17,6 +17,7 @@ from typing import Any
 
 from autograder.exchange.responses import RECEIPT, keep_response
 
+SUBMITTED = "submitted.txt"  # when `submit()` packed it: a hint, students can change it
 LARGE = 4 * 2**20  # bytes; JSON of this size needs at most about 150 MB while it is read
 MAX_CELLS = 2000
 MAX_CODE = 2 * 2**20  # characters in all code cells together

@@ -43,9 +43,16 @@ _MOST_MISTAKES = 20
 
 
 def class_html(
-    course: Course, records: Sequence[Record], run: Run | None, view: ClassView | None = None
+    course: Course,
+    records: Sequence[Record],
+    run: Run | None,
+    view: ClassView | None = None,
+    intake: str = "",
 ) -> str:
-    """The page; everything on it is also in the CSV files beside it."""
+    """The page; everything on it is also in the CSV files beside it.
+
+    ``intake`` is what the last run said of what was handed in.
+    """
     most = most_for(course, records[0] if records else None)
     links = Links(records)
     totals = np.array([record.total for record in records])
@@ -59,6 +66,8 @@ def class_html(
         f'<p class="soft">Mean {totals.mean():.3g}, standard deviation {totals.std():.3g}, '
         f"from {totals.min():g} to {totals.max():g}.</p>"
     )
+    if intake:
+        header.append(f'<p class="soft">{text(intake)}.</p>')
     if run is not None and run.isolation:
         header.append(f'<p class="soft">Student code was isolated with {text(run.isolation)}.</p>')
     to_do = to_do_html(view, links) if view is not None else ""

@@ -36,7 +36,10 @@ def write_reports(course: Course, book: Gradebook, options: Options, console: Co
     records = view.records
     write_grades_csv(out / "grades.csv", course, records)
     write_class_csv(out, course, records)
-    write_text(out / "class.html", class_html(course, records, book.last_run(), view))
+    write_text(
+        out / "class.html",
+        class_html(course, records, book.last_run(), view, book.setting("intake") or ""),
+    )
     shared = feedback_of(view, book)
     chosen = [
         record

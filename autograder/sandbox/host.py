@@ -87,6 +87,7 @@ class Host:
         """
         self.wait_until_ready()
         self._number += 1
+        self._gone: dict[str, Any] | None = None
         ours, theirs = socket.socketpair()
         with theirs:
             message = {"start": self._number, "seed": seed, **limits}
@@ -109,15 +110,35 @@ class Host:
         Raises:
             HostError: if the zygote does not answer; then `stop` it.
         """
-        try:
-            self._control.send(json.dumps({"end": self._number}).encode())
-        except OSError:
-            raise HostError("The sandbox has ended.") from None
+        self._tell({"end": self._number})
         self._expect({"ended": self._number})
+
+    def own_time(self, since: float) -> float | None:
+        """The child's own seconds since a moment, as `OwnTime` counts; None if it has ended.
+
+        Raises:
+            HostError: if the zygote does not answer; then `stop` it.
+        """
+        self._tell({"time since": since})
+        deadline = time.monotonic() + _ANSWER_SECONDS
+        while (message := self._hear(deadline)) is not None:
+            if "had" in message:
+                return None if self._gone else float(message["had"])
+            if message.get("gone") == self._number:
+                self._gone = message
+        raise HostError("The sandbox does not answer.")
+
+    def interrupt(self, only_forks: bool) -> None:
+        """End what the child has forked, or else interrupt what it does itself.
+
+        Raises:
+            HostError: if the zygote has ended.
+        """
+        self._tell({"interrupt": self._number, "only_forks": only_forks})
 
     def why_gone(self, seconds: float) -> str | None:
         """Why the child ended by itself, if the zygote says so within some time."""
-        message = self._hear(time.monotonic() + seconds)
+        message = self._gone or self._hear(time.monotonic() + seconds)
         if message is not None and message.get("gone") == self._number:
             return str(message["why"])
         return None
@@ -141,6 +162,12 @@ class Host:
         self._control.close()
         self._own_folder.remove()
         self._own_identity.release()
+
+    def _tell(self, message: dict[str, Any]) -> None:
+        try:
+            self._control.send(json.dumps(message).encode())
+        except OSError:
+            raise HostError("The sandbox has ended.") from None
 
     def _expect(self, answer: dict[str, Any]) -> None:
         deadline = time.monotonic() + _ANSWER_SECONDS

@@ -6,6 +6,7 @@ import ctypes
 import os
 import resource
 import signal
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -101,6 +102,12 @@ def die_with_parent() -> None:
 def adopt_orphans() -> None:
     """Become the parent of every descendant whose own parent ended."""
     _prctl(_SET_CHILD_SUBREAPER, 1)
+
+
+def give_way() -> None:
+    """Run only when nobody else wants the processor, the grader above all; for good."""
+    with suppress(OSError):
+        os.sched_setscheduler(0, os.SCHED_IDLE, os.sched_param(0))
 
 
 def close_other_descriptors(*keep: int) -> None:

@@ -104,7 +104,7 @@ class Usage:
 
     def excess(self) -> str:
         """Why the notebook must be ended, or an empty text."""
-        processes = self._processes()
+        processes = self.processes()
         if len(processes) > self._limits["processes"] + 2:
             return f"it started more than {self._limits['processes']} processes"
         memory_mb = self._limits["memory_mb"]
@@ -126,7 +126,8 @@ class Usage:
             return f"it wrote more than {self._limits['files_mb']} MB"
         return ""
 
-    def _processes(self) -> list[int]:
+    def processes(self) -> list[int]:
+        """The processes that there are now."""
         if self._alone:
             return [process for process in all_processes() if process != self._own]
         return descendants(self._own)

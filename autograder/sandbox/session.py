@@ -9,6 +9,7 @@ import select
 import signal
 import time
 from collections.abc import Callable
+from dataclasses import dataclass, field
 from typing import Any
 
 from autograder.course import Settings
@@ -19,11 +20,13 @@ from autograder.sandbox.host import Host, HostError, limits
 from autograder.sandbox.stopped import Stopped, out_of_time
 
 GRACE = 1.0  # seconds between the child's own limit and the one kept here
+PATIENCE = 20  # times a limit: how long to wait for a child that is given no processor
 # What may come from one process without answering anything before its channel counts as broken:
 # reading it costs the grader time, which belongs to all submissions.
 MAX_STRAY = 16  # messages; a process that a response forked and forgot may well send one
 MAX_STRAY_BYTES = 2**20  # notices that a cell begins included
 MAX_RESTARTS = 3
+_MESSAGE_SECONDS = 20.0  # for the rest of a message of which the beginning has come
 
 
 class Session:
@@ -54,6 +57,8 @@ class Session:
         self._begun_anew = False
         self._in_cell: int | None = None
         self._strays, self._stray_bytes = 0, 0
+        self._limits: list[_Limit] = []
+        self._was_interrupted = False
 
     def __enter__(self) -> Session:
         return self
@@ -116,28 +121,34 @@ class Session:
             "seconds": seconds,
             "most": int(self._settings.output_mb * 2**20),
         }
-        answer = self._ask(message, time.monotonic() + seconds + GRACE)
+        self._in_cell = None
+        answer = self._ask(message, seconds, time.monotonic() + seconds * PATIENCE + GRACE)
+        if "reply" not in answer and self._was_interrupted:
+            raise Stopped("timeout")
         if "reply" not in answer:
             raise _stop_by(answer.get("ended_by"))
         return answer
 
     def _run(self, names: list[str]) -> dict[str, Any]:
         settings = self._settings
-        end = min(time.monotonic() + settings.notebook_seconds, self._deadline)
+        end = min(time.monotonic() + settings.notebook_seconds * PATIENCE, self._deadline)
+        began = time.monotonic()
         while True:
             if self._channel is None:
                 self._open()
+            # What was lost with a process that had to be stopped is not given again.
+            left = max(GRACE, settings.notebook_seconds - (time.monotonic() - began))
             message = {
                 "do": "run",
                 "cells": self._cells,
                 "names": names,
                 "skip": {str(index): stop.status for index, stop in self._stopped_cells.items()},
                 "cell_seconds": settings.cell_seconds,
-                "seconds": end - time.monotonic(),
+                "seconds": min(left, end - time.monotonic()),
             }
             self._in_cell = None
             try:
-                answer = self._ask(message, end + GRACE)
+                answer = self._ask(message, left + GRACE / 2, end + GRACE)
             except Stopped as stopped:
                 index = self._in_cell
                 if index is None or index in self._stopped_cells or time.monotonic() >= end:
@@ -151,29 +162,34 @@ class Session:
                     self._stopped_cells.setdefault(index, Stopped("timeout"))
             return report
 
-    def _ask(self, message: dict[str, Any], deadline: float) -> dict[str, Any]:
+    def _ask(self, message: dict[str, Any], seconds: float, deadline: float) -> dict[str, Any]:
         """Send a question and wait for the message with its nonce.
+
+        ``seconds`` are of the child's own time, the deadline is on the clock.
 
         Raises:
             Stopped: after which the channel is closed.
         """
         assert self._channel is not None
         nonce = secrets.token_hex(16)
-        cell_deadline = deadline
+        self._was_interrupted = False
+        self._limits = [_Limit(seconds)]
         notices = len(self._cells)
         try:
             self._channel.send({**message, "nonce": nonce}, deadline)
             while True:
-                self._wait(min(deadline, cell_deadline))
+                self._wait(deadline)
                 before = self._channel.received
-                answer = self._channel.receive(min(deadline, cell_deadline))
+                answer = self._channel.receive(min(deadline, time.monotonic() + _MESSAGE_SECONDS))
                 if _carries(answer, nonce) and "cell" not in answer:
                     return answer
                 self._stray_bytes += self._channel.received - before
                 if _carries(answer, nonce) and notices > 0:
                     notices -= 1
                     self._note_cell(answer["cell"])
-                    cell_deadline = time.monotonic() + self._settings.cell_seconds + GRACE
+                    self._was_interrupted = False
+                    cell = _Limit(self._settings.cell_seconds + GRACE / 2)
+                    self._limits = [self._limits[0], cell]
                 else:
                     self._strays += 1
                 if self._strays > MAX_STRAY or self._stray_bytes > MAX_STRAY_BYTES:
@@ -181,7 +197,7 @@ class Session:
         except Late:
             self._close()
             raise Stopped("timeout") from None
-        except (EOFError, OSError, wire.WireError) as error:
+        except (EOFError, OSError, HostError, wire.WireError) as error:
             why = self._why_gone(error)
             self._close()
             raise Stopped("killed", why) from None
@@ -190,20 +206,48 @@ class Session:
         """Wait for something to read from the child, or for news that it has gone.
 
         Raises:
-            Late: at the deadline.
+            Late: at the deadline, or when the child has had its time and does not react.
         """
         assert self._channel is not None
         assert self._host is not None
         poll = select.poll()
         poll.register(self._channel, select.POLLIN)
         poll.register(self._host.control, select.POLLIN)
-        left = deadline - time.monotonic()
-        ready = poll.poll(max(0.0, left) * 1000)
-        if not ready:
-            raise Late
+        while True:
+            until = min(deadline, *(limit.due for limit in self._limits))
+            ready = poll.poll(max(0.0, until - time.monotonic()) * 1000)
+            if ready:
+                break
+            if time.monotonic() >= deadline:
+                raise Late
+            self._look_at_limits()
         if all(descriptor != self._channel.fileno() for descriptor, _ in ready):
             # What the child started may hold the channel open; the child itself has gone.
             raise EOFError
+
+    def _look_at_limits(self) -> None:
+        """Interrupt a child that has had its time, and later give it up.
+
+        Raises:
+            Late: when it was given up.
+            EOFError: if it has ended.
+        """
+        assert self._host is not None
+        for limit in self._limits:
+            if time.monotonic() < limit.due:
+                continue
+            had = self._host.own_time(limit.since)
+            if had is None:
+                raise EOFError
+            if had < limit.seconds:
+                limit.due = time.monotonic() + limit.seconds - had
+            elif self._was_interrupted:
+                raise Late
+            else:
+                self._was_interrupted = True
+                self._host.interrupt(only_forks=self._in_cell is None)
+                limit.due, limit.since = time.monotonic() + GRACE, time.monotonic()
+                limit.seconds = GRACE
 
     def _check_deadline(self) -> None:
         if time.monotonic() >= self._deadline:
@@ -255,6 +299,20 @@ class Session:
             self._host.stop()
 
 
+@dataclass
+class _Limit:
+    """Seconds of the child's own time; before ``due`` they cannot have passed, if it is one process
+    that sleeps or works.
+    """
+
+    seconds: float
+    since: float = field(default_factory=time.monotonic)
+    due: float = 0.0
+
+    def __post_init__(self) -> None:
+        self.due = self.since + self.seconds
+
+
 def _carries(answer: Any, nonce: str) -> bool:
     """Whether a message is the answer to the question with this nonce.
 
@@ -271,7 +329,7 @@ def _stop_by(number: Any) -> Stopped:
     """
     if type(number) is not int:
         number = 0
-    if number == signal.SIGALRM:
+    if number in (signal.SIGALRM, signal.SIGPROF):
         return Stopped("timeout")
     if number == signal.SIGXCPU:
         return Stopped("timeout", "it used too much processor time")

@@ -5,11 +5,12 @@ from __future__ import annotations
 import os
 import zipfile
 from dataclasses import dataclass
+from datetime import UTC, datetime
 from pathlib import Path
 
 from autograder.course import Course
 from autograder.errors import AutograderError
-from autograder.intake.notebook_reader import Unreadable, read_notebook
+from autograder.intake.notebook_reader import SUBMITTED, Unreadable, read_notebook
 
 
 @dataclass(frozen=True)
@@ -44,6 +45,7 @@ def pack_submission(course: Course, responses: Path) -> Packed:
         with zipfile.ZipFile(unfinished, "w", zipfile.ZIP_DEFLATED) as archive:
             for name, path in files.items():
                 archive.write(path, name)
+            archive.writestr(SUBMITTED, datetime.now(UTC).isoformat(timespec="seconds"))
         os.replace(unfinished, target)
     except OSError as error:
         raise AutograderError(

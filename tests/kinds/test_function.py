@@ -66,15 +66,60 @@ def test_a_known_mistake_is_recognised_in_other_words(tiny_course, seed):
 
 
 def test_what_is_right_on_some_kinds_earns_their_share(marker):
-    verdict = mark(
-        marker, lambda weights: sum(weights) / max(len(weights), 1) if len(weights) < 3 else -1
-    )
-    # "two equal weights" is public and counts for nothing: one of the three others is right.
-    assert (verdict.status, verdict.credit) == ("partial", 0.33)
-    assert verdict.feedback == (
-        "Right on 2 of 4 kinds of input. Not yet on: many weights; one heavy weight."
-    )
+    def right_but_for_three(weights):
+        return -1 if len(weights) == 3 else sum(weights) / max(len(weights), 1)
+
+    verdict = mark(marker, right_but_for_three)
+    # "two equal weights" is public, and 0 for "no weights" is what any function may return: one of
+    # the two others is right.
+    assert (verdict.status, verdict.credit) == ("partial", 0.5)
+    assert verdict.feedback == "Right on 3 of 4 kinds of input. Not yet on: one heavy weight."
     assert verdict.alternative is None
+
+
+@pytest.mark.parametrize("value", [0, 0.0, None, [], False])
+def test_what_returns_the_same_whatever_comes_earns_nothing(marker, value):
+    assert mark(marker, lambda weights: value).credit == 0
+
+
+def test_a_function_that_fails_the_public_example_earns_half_at_most(marker):
+    wrong_in_public = mark(marker, lambda w: np.mean(w) if len(w) > 2 else 0.0)
+    assert wrong_in_public.credit == 0.5
+
+
+@pytest.mark.parametrize(
+    ("function", "name"),
+    [
+        (lambda w: -np.mean(w) if w else 0.0, "sign turned"),
+        (lambda w: 2 * np.mean(w) if w else 0.0, "twice"),
+        (lambda w: float(np.degrees(np.mean(w))) if w else 0.0, "degrees"),
+        (lambda w: np.mean(w) + 1 if w else 1.0, "one more"),
+        (lambda w: None, "returns nothing"),
+        (lambda w: list(w), "returns its input"),
+    ],
+)
+def test_a_wrong_function_gets_the_name_of_its_relation_to_the_right_one(marker, function, name):
+    verdict = mark(marker, function)
+    assert verdict.alternative == name
+    assert verdict.feedback.startswith("It looks as if ")
+    assert verdict.status != "right"
+
+
+def test_a_relation_that_holds_on_some_cases_only_names_nothing(marker):
+    def twice_but_once(weights):
+        return (2 if len(weights) != 3 else 3) * np.mean(weights) if weights else 0.0
+
+    assert mark(marker, twice_but_once).alternative is None
+
+
+def test_right_values_from_an_input_changed_in_place_are_named(marker):
+    def sorts(weights):
+        mean = float(np.mean(weights)) if weights else 0.0
+        weights.append(1.0)
+        return mean
+
+    verdict = mark(marker, sorts)
+    assert (verdict.alternative, verdict.credit) == ("changes its input", 0)
 
 
 def test_the_public_result_by_heart_earns_nothing(marker):

@@ -155,7 +155,7 @@ def test_a_right_number_of_any_type_is_right(marker, response):
 @pytest.mark.parametrize(
     ("response", "said"),
     [
-        ("12", "text; write it without quotes"),
+        ("12", "a string; write it without quotes"),
         (lambda: 12, "function"),
         ([12, 12], "several values"),
         (True, "not a number"),

@@ -74,9 +74,8 @@ def check_good(sandbox: Sandbox) -> None:
     # Patient, because the machine may be busy with other tests.
     with Session(sandbox._take_host, PATIENT, 1) as session:
         report = session.run(GOOD, ["k"])
-        nothing = [None] * 3
-        good = {"errors": nothing, "told": nothing, "responses": {}, "understood": {"k": "74"}}
-        assert report == good
+        assert report["errors"] == [None] * 3
+        assert report["understood"] == {"k": "74"}
         assert session.evaluate("k", NUMBER) == {"state": "given", "value": 74}
         (outcome,) = session.evaluate("double", CASE)["outcomes"]
         assert outcome["value"].tolist() == [2.0, 4.0]

@@ -51,7 +51,8 @@ def test_an_answer_without_the_nonce_is_passed_over(session):
     forged = '{"nonce": "guess", "reply": {"errors": [], "responses": {"Q1": "forged"}}}'
     code = FIND_THE_CHANNEL + f"os.write(channel, frame(json.loads('{forged}')) * 10)"
     report = session.run([code, "a = 1"], ["a"])
-    assert report == {"errors": [None, None], "responses": {}, "understood": {"a": "1"}}
+    assert report["errors"] == [None, None]
+    assert (report["responses"], report["understood"]) == ({}, {"a": "1"})
 
 
 def test_an_answer_before_the_real_one_wins_nothing_that_an_answer_could_not(session):
@@ -63,7 +64,7 @@ def test_an_answer_before_the_real_one_wins_nothing_that_an_answer_could_not(ses
         "k = 5"
     )
     report = session.run([code], ["k"])
-    assert set(report) == {"errors", "responses", "understood"}
+    assert set(report) == {"errors", "told", "responses", "understood"}
     assert report["errors"] == ["Exception"]
     assert report["responses"] == {"Q": [None]}
     assert report["understood"]["k"].isprintable()
@@ -176,6 +177,7 @@ def test_a_thread_that_reads_the_questions_away_costs_only_its_own_time(session)
     assert time.monotonic() - start < 4
 
 
+TOO_LARGE = {"state": "unusable", "reason": "too large"}
 LIARS = {
     "an object with __reduce__": (
         "class Liar:\n    def __reduce__(self): return (print, ('run',))\nx = Liar()",
@@ -198,8 +200,8 @@ LIARS = {
         "import numpy as np\nx = np.array([print], dtype=object)",
         {"unusable": "not plain"},
     ),
-    "more than the cap": ("import numpy as np\nx = np.zeros(10**6)", None),
-    "a huge list": ("x = [0.5] * 300_000", None),
+    "more than the cap": ("import numpy as np\nx = np.zeros(10**6)", TOO_LARGE),
+    "a huge list": ("x = [0.5] * 300_000", TOO_LARGE),
 }
 
 
@@ -207,10 +209,8 @@ LIARS = {
 def test_what_is_returned_is_plain_data_or_refused(session, name):
     code, expected = LIARS[name]
     session.run([code + "\ndef f(): return x", "good = 1"], [])
-    if expected is None:
-        with pytest.raises(Stopped) as stopped:
-            asked(session, "f")
-        assert stopped.value.status == "killed"
+    if expected is TOO_LARGE:
+        assert asked(session, "f") == TOO_LARGE
     else:
         (outcome,) = asked(session, "f")["outcomes"]
         assert outcome == expected

@@ -57,7 +57,7 @@ def typed(text: str) -> Any:
 
 
 @cache
-def drawn_of(course: Course, id: str, seed: int) -> tuple[Answer, Drawn]:
+def drawn_for(course: Course, id: str, seed: int) -> tuple[Answer, Drawn]:
     """A question made ready, without its mistakes: to run them takes long and changes nothing."""
     question, answer = course.questions[id], course.key[id]
     if id in FUNCTIONS:
@@ -69,7 +69,7 @@ def lost(course: Course, id: str, response: Any) -> list[str]:
     """The feedback of every seed under which the response earns less than everything."""
     question, said = course.questions[id], []
     for seed in SEEDS:
-        answer, drawn = drawn_of(course, id, seed)
+        answer, drawn = drawn_for(course, id, seed)
         with np.errstate(all="ignore"):
             reply = evaluate(response, drawn.probe)
         mark = kind_of(question).mark(question, answer, drawn, reply, "")

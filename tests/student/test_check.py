@@ -59,13 +59,13 @@ def test_a_response_is_marked(garden: Path, id: str, response: object, status: s
 @pytest.mark.parametrize(
     ("id", "response", "said"),
     [
-        ("Q1.3", "12", "it is text; write it without quotes"),
+        ("Q1.3", "12", "it is a string; write it without quotes"),
         ("Q1.3", [3, 4], "it holds several values"),
         ("Q1.3", float("nan"), "not a"),
         ("Q1.3", 12 * w, "cannot be marked"),
         ("Q1.3", harvest, "it is a function"),
         ("Q1.3", None, "it is not a number"),
-        ("Q1.4", "2*w + 2*l", "it is text; write it without quotes"),
+        ("Q1.4", "2*w + 2*l", "it is a string; write it without quotes"),
         ("Q1.4", sp.Eq(w, l), "give only its right-hand side"),
         ("Q1.4", sp.Symbol("height"), "declared are w, l"),
         ("Q1.5", 12, "cannot be marked"),

@@ -16,7 +16,7 @@ def test_the_zip_holds_the_notebooks_and_the_responses(own_garden: Path):
     shown = submit()
     target = own_garden / "notebooks/submission.zip"
     with zipfile.ZipFile(target) as archive:
-        assert archive.namelist() == ["1_garden.ipynb", "responses/garden.json"]
+        assert archive.namelist() == ["1_garden.ipynb", "responses/garden.json", "submitted.txt"]
         kept = json.loads(archive.read("responses/garden.json"))
     assert kept["responses"]["Q1.1"]["response"] == [False, True]
     assert "Unanswered or not checked: 4 of 5 (Q1.2, Q1.3, Q1.4, Q1.5)" in repr(shown)
@@ -45,7 +45,7 @@ def test_other_notebooks_and_copies_of_the_zip_stay_out(own_garden: Path):
     submit()
     submit()
     with zipfile.ZipFile(own_garden / "notebooks/submission.zip") as archive:
-        assert archive.namelist() == ["1_garden.ipynb"]
+        assert archive.namelist() == ["1_garden.ipynb", "submitted.txt"]
 
 
 def test_no_notebook_to_hand_in_gets_one_sentence(
@@ -78,5 +78,5 @@ def test_a_renamed_notebook_is_known_by_its_questions_and_named(own_garden: Path
     (notebooks / "1_garden.ipynb").rename(notebooks / "final version.ipynb")
     shown = submit()
     with zipfile.ZipFile(notebooks / "submission.zip") as archive:
-        assert archive.namelist() == ["final version.ipynb"]
+        assert archive.namelist() == ["final version.ipynb", "submitted.txt"]
     assert "final version.ipynb" in repr(shown)

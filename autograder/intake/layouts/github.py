@@ -28,7 +28,8 @@ class GitHub:
         repositories = [place for place in visible(folder) if _is_repository(place)]
         has_clone_name = folder.name.endswith(_COLLECTION)
         # One repository among other folders is a student who works with git, not a classroom.
-        others = [p for p in visible(folder) if p.is_folder and p not in repositories]
+        names = {place.name for place in repositories}
+        others = [p for p in visible(folder) if p.is_folder and p.name not in names]
         return bool(repositories) and (has_clone_name or len(repositories) > len(others))
 
     def read(self, folder: Place, context: Context) -> Found:

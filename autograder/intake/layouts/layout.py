@@ -108,7 +108,8 @@ def fit_most(fitting: Sequence[Place], folder: Place) -> bool:
         for place in visible(folder)
         if place.is_folder or is_zip(place) or is_notebook_name(place.name)
     ]
-    others = [place for place in relevant if place not in fitting]
+    names = {place.name for place in fitting}
+    others = [place for place in relevant if place.name not in names]
     return bool(fitting) and len(fitting) > len(others)
 
 

@@ -38,9 +38,15 @@ def mark_expression(
 ) -> Mark:
     """The first alternative with the same values decides.
 
+    Of several roots, each of which has a row of values, the one that earns least decides: a list of
+    them is right only where each is.
+
     ``values`` are the response's values at ``points``, of any type: they come from the student's
     process and are not trusted.
     """
+    if isinstance(values, np.ndarray) and values.ndim == 2 and len(values) > 0:
+        marks = [mark_expression(question, answer, points, row) for row in values]
+        return min(marks, key=lambda mark: mark.credit)
     count = len(next(iter(points.values())))
     known: dict[str, Any] = {"explanation": answer.explanation}
     if not (
@@ -70,6 +76,11 @@ def mark_expression(
                 alternative=alternative.name,
                 **known,
             )
+    from autograder.kinds.expression.diagnosis import diagnose_expression
+
+    found = diagnose_expression(question, answer, points, values)
+    if found is not None:
+        return Mark(question.id, "wrong", 0.0, question.points, found.sentence, found.name, **known)
     return Mark(
         question.id,
         "wrong",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import builtins
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -11,9 +11,12 @@ import numpy as np
 
 from autograder.exchange.reasons import REASONS
 from autograder.kinds.function.answer import FunctionAlternative, FunctionAnswer
+from autograder.kinds.function.credit import partial_credit
+from autograder.kinds.function.diagnosis import diagnose_function
 from autograder.kinds.function.question import Function
 from autograder.kinds.function.shown import shown_outcome
 from autograder.kinds.mark import Mark, Part, status_for
+from autograder.marking.diagnosis.relations import Diagnosis
 
 Outcome = dict[str, Any]
 Compare = Callable[[dict[str, Any], Any, Any], bool]
@@ -39,9 +42,8 @@ def mark_function(
 ) -> Mark:
     """Right on every case, or like a known mistake, or right on some kinds of input.
 
-    A response that matches no mistake earns the fraction of the kinds of input (cases of one name)
-    on which it is right. Kinds of which every case is public do not count towards it: their results
-    can be copied. ``outcomes`` come from the student's process and are not trusted.
+    A response that matches no mistake earns its `partial_credit`. ``outcomes`` come from the
+    student's process and are not trusted.
     """
     if not (isinstance(outcomes, list) and len(outcomes) == len(expected.cases)):
         outcomes = [{"unusable": "not plain"}] * len(expected.cases)
@@ -74,14 +76,15 @@ def mark_function(
                 **known,
             )
     right = sum(part.right is True for part in parts)
-    hidden = [
-        part
-        for part, indices in zip(parts, kinds.values(), strict=True)
-        if not all(expected.cases[i].get("public") for i in indices)
-    ]
-    earned = sum(part.right is True for part in hidden)
-    # Rounded down, and never all: only a response that is right everywhere earns everything.
-    credit = min(0.99, int(100 * earned / len(hidden)) / 100) if hidden else 0.0
+    credit = partial_credit(
+        expected.cases,
+        expected.outcomes,
+        verdicts,
+        lambda i, outcome: agrees(
+            expected.compare, expected.cases[i], expected.outcomes[i], outcome
+        ),
+        max((mistake.credit for mistake, _ in expected.mistakes), default=1.0),
+    )
     failing = [f"{part.label}{part.feedback}" for part in parts if not part.right]
     feedback = (
         f"Right on {right} of {len(parts)} kinds of input. Not yet on: " + "; ".join(failing) + "."
@@ -90,7 +93,21 @@ def mark_function(
         name = _known_error(outcomes[0]["raised"])
         feedback = f"It raises {name} on every input. Try it on a small example first."
         return Mark(question.id, "error", 0.0, question.points, feedback, **known)
-    return Mark(question.id, status_for(credit), credit, question.points, feedback, **known)
+    diagnosed = None
+    if (found := _diagnosis(expected, outcomes, verdicts)) is not None:
+        diagnosed, feedback = found.name, f"{found.sentence} {feedback}"
+    return Mark(
+        question.id, status_for(credit), credit, question.points, feedback, diagnosed, **known
+    )
+
+
+def _diagnosis(
+    expected: Expected, outcomes: Sequence[Any], verdicts: Sequence[bool]
+) -> Diagnosis | None:
+    def same(case: Mapping[str, Any], changed: Any, value: Any) -> bool:
+        return close({}, changed, value) or expected.compare(dict(case), changed, value)
+
+    return diagnose_function(expected.cases, expected.outcomes, outcomes, verdicts, same)
 
 
 def behaves_like(

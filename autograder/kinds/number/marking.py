@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from decimal import Decimal
 from typing import Any
 
 from autograder.kinds.mark import Mark, status_for
-from autograder.kinds.number.answer import NumberAnswer
+from autograder.kinds.number.answer import NumberAlternative, NumberAnswer
+from autograder.kinds.number.diagnosis import diagnose_number
 from autograder.kinds.number.question import Number
 
 
@@ -23,10 +25,7 @@ def mark_number(
         "understood": _as_number(understood, question),
     }
     for alternative in answer.alternatives:
-        tolerance = alternative.tolerance
-        if abs(value - alternative.value) <= (
-            question.tolerance if tolerance is None else tolerance
-        ):
+        if abs(value - alternative.value) <= _tolerance(question, alternative, value):
             known["understood"] = known["understood"] or _with_unit(value, question)
             return Mark(
                 question.id,
@@ -43,8 +42,32 @@ def mark_number(
         feedback = (
             "That is not the value asked for. A hint may help: look at what each symbol counts."
         )
+    name = None
+    if (found := diagnose_number(question, answer, value)) is not None:
+        name, feedback = found.name, found.sentence
     known["understood"] = known["understood"] or understood
-    return Mark(question.id, "wrong", 0.0, question.points, feedback, **known)
+    return Mark(question.id, "wrong", 0.0, question.points, feedback, name, **known)
+
+
+def _tolerance(question: Number, alternative: NumberAlternative, value: int | float) -> float:
+    """How far a value may be from an alternative's.
+
+    As many decimals as are asked for may be rounded. Whoever gives more of them has to be right to
+    these, by at most one in the last, as far as the key itself goes.
+    """
+    if alternative.tolerance is not None:
+        return alternative.tolerance
+    given = _decimals(value)
+    if question.integer or alternative.is_mistake or given <= question.decimals:
+        return question.tolerance
+    known = _decimals(alternative.value)
+    return min(question.tolerance, 10.0 ** -min(given, known) * (1 + 1e-9))
+
+
+def _decimals(value: int | float) -> int:
+    """How many decimals a number is written with."""
+    exponent = Decimal(repr(float(value))).normalize().as_tuple().exponent
+    return max(0, -exponent) if isinstance(exponent, int) else 0
 
 
 def _as_number(understood: str, question: Number) -> str:

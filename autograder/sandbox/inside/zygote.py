@@ -8,6 +8,10 @@ socket that student code never gets:
   left, forks a child that serves this socket, answers ``{"started": number}``.
 - ``{"end": number}``: ends the child and all it started, answers ``{"ended": number}``.
 
+- ``{"time since": moment}`` answers ``{"had": seconds}``, as `OwnTime` counts them.
+- ``{"interrupt": number, "only_forks": ...}`` ends what the child has forked, or sends the child
+  itself an alarm.
+
 If the child ends by itself or is ended for what it uses, ``{"gone": number, "why": ...}`` comes
 unasked. When the control socket closes, everything ends. No key and no hidden input is ever here.
 """
@@ -31,7 +35,8 @@ from typing import Any
 from autograder.sandbox import landlock, lockdown, seccomp
 from autograder.sandbox.inside.serve import prepare_process, serve
 from autograder.sandbox.inside.warm import warm
-from autograder.sandbox.processes import Usage, end_all_others, tasks_of
+from autograder.sandbox.own_time import OwnTime
+from autograder.sandbox.processes import Usage, descendants, end_all_others, tasks_of
 from autograder.sandbox.removal import empty
 
 _NOT_CONFINED = 70  # exit status of a child that could not be confined: student code never ran
@@ -74,6 +79,7 @@ class Zygote:
         self._control = control
         self._child = 0
         self._number = 0
+        self._own_time = OwnTime()
         self._wake, wake_write = os.pipe()
         os.set_blocking(self._wake, False)
         os.set_blocking(wake_write, False)
@@ -136,6 +142,12 @@ class Zygote:
             self._sweep()
             self._start(message, descriptors[0])
             self._say({"started": self._number})
+        elif "time since" in message:
+            self._own_time.look(self._usage.processes())
+            self._say({"had": self._own_time.since(message["time since"])})
+        elif "interrupt" in message:
+            if message["interrupt"] == self._number:
+                self._interrupt(message["only_forks"])
         elif "end" in message:
             self._sweep()
             self._say({"ended": message["end"]})
@@ -146,6 +158,7 @@ class Zygote:
         if not self._how.alone and not self._how.identity:  # as the instructor, who runs more
             limits = limits.beside(tasks_of(os.getuid()))
         self._number = message["start"]
+        self._own_time.begin()
         self._usage.begin(message["usage"])
         child = os.fork()
         if child:
@@ -175,6 +188,7 @@ class Zygote:
             if how.use_landlock
             else None
         )
+        lockdown.give_way()
         lockdown.limit_resources(limits)
         lockdown.confine(ruleset, self._filter)
         nothing = os.open(os.devnull, os.O_WRONLY)
@@ -193,7 +207,19 @@ class Zygote:
                     self._child = 0
                     self._say({"gone": self._number, "why": _why(status)})
 
+    def _interrupt(self, only_forks: bool) -> None:
+        """End what the child forked, so that it goes on, or interrupt what it does itself."""
+        if not self._child:
+            return
+        with suppress(ProcessLookupError, PermissionError):
+            if not only_forks:
+                os.kill(self._child, signal.SIGALRM)
+        for process in descendants(self._child) if only_forks else ():
+            with suppress(ProcessLookupError, PermissionError):
+                os.kill(process, signal.SIGKILL)
+
     def _look_at_usage(self) -> None:
+        self._own_time.look(self._usage.processes())
         why = self._usage.excess()
         if why:
             self._sweep()

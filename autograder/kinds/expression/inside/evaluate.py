@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numbers
+import sys
 from typing import Any
 
 import numpy as np
@@ -10,15 +11,46 @@ import numpy as np
 from autograder.kinds.expression.inside.values import values_at
 from autograder.sandbox.inside.plain_data import Unusable, is_sympy, only_entry
 
+MOST_ROOTS = 8
+
 
 def evaluate(response: Any, probe: dict[str, Any]) -> dict[str, Any]:
     """The values of a response at the probe's points, each an array of them.
 
+    A list of several roots, as ``sympy.solve`` gives them, has one row of values for each.
+
     Raises:
         Unusable: if it has none.
     """
-    response = only_entry(response)
     points: dict[str, np.ndarray] = probe["points"]
+    entries = _entries(response)
+    if entries is None:
+        return {"values": _values(only_entry(response), points)}
+    if len(entries) == 1:
+        return {"values": _values(entries[0], points)}
+    if not 1 < len(entries) <= MOST_ROOTS:
+        raise Unusable("several")
+    return {"values": np.array([_values(entry, points) for entry in entries])}
+
+
+def _entries(response: Any) -> list[Any] | None:
+    """The entries of what sympy gives for one result or for several: a matrix, a set, a list."""
+    if isinstance(response, list | tuple):
+        return list(response)
+    sp = sys.modules.get("sympy")
+    if sp is None:
+        return None
+    if isinstance(response, sp.FiniteSet):
+        return list(response.args)
+    if isinstance(response, sp.MatrixBase):
+        if response.shape != (1, 1):
+            raise Unusable("several")
+        return [response[0, 0]]
+    return None
+
+
+def _values(response: Any, points: dict[str, np.ndarray]) -> np.ndarray:
+    """The values of one expression, of shape (number of points,)."""
     count = len(next(iter(points.values())))
     if not is_sympy(response):
         if isinstance(response, str | bytes):
@@ -27,7 +59,7 @@ def evaluate(response: Any, probe: dict[str, Any]) -> dict[str, Any]:
             raise Unusable("callable")
         if not isinstance(response, numbers.Complex):
             raise Unusable("not an expression")
-        return {"values": np.full(count, complex(response))}
+        return np.full(count, complex(response))
     import sympy as sp
 
     if isinstance(response, sp.Eq):
@@ -43,7 +75,7 @@ def evaluate(response: Any, probe: dict[str, Any]) -> dict[str, Any]:
     try:
         with np.errstate(all="ignore"):
             values = values_at(response, points)
-        return {"values": np.broadcast_to(np.asarray(values, dtype=complex), (count,)).copy()}
+        return np.broadcast_to(np.asarray(values, dtype=complex), (count,)).copy()
     except Exception:  # not in the table: sympy's own way, slower
         pass
     arrays = [np.asarray(points[symbol.name], dtype=float) for symbol in symbols]
@@ -57,7 +89,7 @@ def evaluate(response: Any, probe: dict[str, Any]) -> dict[str, Any]:
         values = np.array(
             [_evalf(bare, stand_ins, [array[i] for array in arrays]) for i in range(count)]
         )
-    return {"values": values}
+    return values
 
 
 def _evalf(expression: Any, symbols: list[Any], values: list[float]) -> complex:
