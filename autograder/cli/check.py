@@ -12,17 +12,33 @@ from autograder.cli.status import BROKEN, DONE
 
 def add(commands: Commands) -> None:
     """Describe the command."""
-    commands.add_parser("check", help="prove the course").set_defaults(run=run)
+    command = commands.add_parser("check", help="prove the course")
+    command.add_argument(
+        "--strict",
+        action="store_true",
+        help="a mutant of what is right that keeps its credit makes the course unsound",
+    )
+    command.add_argument(
+        "--without-mutants", action="store_true", help="leave the mutants out, which take longest"
+    )
+    command.set_defaults(run=run)
 
 
 def run(parsed: argparse.Namespace, console: Console) -> int:
     """Print every problem; the status says whether there is one."""
     from autograder.authoring.proof import prove_course
-    from autograder.authoring.proof_by_mutants import kept_promises
+    from autograder.authoring.proof_by_mutants import kept_promises, prove_by_mutants
 
     course = load(parsed)
+    remarks: list[str] = []
     with console.status("") as status:
-        problems = prove_course(course.root, lambda step: status.update(f"proving: {step}"))
+
+        def report(step: str) -> None:
+            status.update(f"proving: {step}")
+
+        problems = prove_course(course.root, report, mutants=parsed.strict)
+        if not problems and not parsed.strict and not parsed.without_mutants:
+            remarks = prove_by_mutants(course, report)
     for line in [] if problems else kept_promises(course):
         print(line)
     for problem in problems:
@@ -30,5 +46,12 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
     if problems:
         print(f"{len(problems)} problem{'s' if len(problems) > 1 else ''}.")
         return BROKEN
+    for remark in remarks:
+        print(remark)
     print(f"The course is sound: {len(course.questions)} questions prove themselves.")
+    if remarks:
+        print(
+            f"{len(remarks)} remarks above: mutants of what is right that keep their credit, and "
+            "the like. --strict takes them for problems."
+        )
     return DONE

@@ -12,6 +12,8 @@ from pathlib import Path
 
 import pytest
 
+import autograder
+
 ROOT = Path(__file__).parents[2]
 
 
@@ -106,3 +108,20 @@ def test_the_engine_runs_from_its_wheel_without_a_checkout(engine: zipfile.ZipFi
         text=True,
     )
     assert done.stdout.startswith("autograder 0."), done.stderr
+
+
+def test_no_file_of_the_package_is_left_out_of_the_engine_s_wheel(engine: zipfile.ZipFile):
+    """Its rooms are named one by one: a new one must not be forgotten."""
+    package = Path(autograder.__file__).parent
+    modules = {
+        f"autograder/{path.relative_to(package).as_posix()}"
+        for path in package.rglob("*.py")
+        if "__pycache__" not in path.parts
+    }
+    assert modules <= set(engine.namelist())
+
+
+def test_the_engine_brings_the_setting_that_keeps_widgets(engine: zipfile.ZipFile):
+    """Where JupyterLab looks for it, below the environment's folder."""
+    end = ".data/data/share/jupyter/lab/settings/overrides.d/autograder.json"
+    assert [name for name in engine.namelist() if name.endswith(end)]
