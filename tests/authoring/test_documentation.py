@@ -76,7 +76,7 @@ def examples() -> dict[str, str]:
 
 def test_the_examples_of_the_page_for_authors_are_a_course_that_is_sound(tmp_path: Path):
     write(tmp_path, examples())
-    assert check(tmp_path) == "The course is sound: 5 questions prove themselves.\n"
+    assert check(tmp_path) == "The course is sound: 6 questions prove themselves.\n"
 
 
 READS = {"take", "text", "texts", "some_texts", "number", "groups", "tables", "python_name"}
