@@ -1,6 +1,7 @@
 """Whole classes with every kind of attack in them: each costs what it hits, and nothing else."""
 
 import csv
+import re
 import zipfile
 from pathlib import Path
 
@@ -65,7 +66,7 @@ ATTACKS = {
         {"Q4": "def heaviest(w):\n    if w == [120.0, 180.0, 150.0]: return 180.0\n    return 0.0"},
         (2, 2, 2, 0),
     ),
-    "in_place": ({"Q4": "def heaviest(w):\n    w.sort()\n    return w[-1]"}, (2, 2, 2, 4)),
+    "in_place": ({"Q4": "def heaviest(w):\n    w.sort()\n    return w[-1]"}, (2, 2, 2, 0)),
     "steals": (
         {"Q4": "import os\ndef heaviest(w):\n    import orchard_reference\n"
          "    return orchard_reference.heaviest(w)"},
@@ -129,7 +130,8 @@ def test_what_cannot_be_read_is_listed_with_its_reason(rows, name):
 def test_no_hidden_input_gets_to_students(graded):
     for path in (graded / "grades/feedback").rglob("*"):
         if path.is_file():
-            assert LEAK not in path.read_text()
+            # What happened on the public example is told, with its message; the others begin so:
+            assert not re.search(r"\b(251\.5|49\.0)\b", path.read_text())
 
 
 def test_nothing_was_run_as_a_program():
