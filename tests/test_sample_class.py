@@ -121,7 +121,7 @@ def test_the_typical_slips_in_expressions_are_named(marks):
 def test_the_typical_slips_in_functions_are_named(marks):
     mine = marks["gauss"]
     all_right_but(mine, "Q2.3", "Q3.3", *BUILT_ON_FIT_LINE)
-    assert mine["Q2.3"].alternative == "keeps a negative radius"
+    assert mine["Q2.3"].alternative.startswith("keeps a negative radius")
     assert mine["Q3.3"].alternative == "rounds down, edges forgotten"
 
 

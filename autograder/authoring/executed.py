@@ -16,8 +16,8 @@ from typing import Any
 
 import nbformat
 
+from autograder.authoring.practice import module_file, needed_modules
 from autograder.course import ANSWERS, QUESTIONS, Chapter, Course
-from autograder.release.practice import module_file, needed_modules
 
 CACHE = Path(".build_cache/executed.json")
 _ENGINE = Path(__file__).parents[1]

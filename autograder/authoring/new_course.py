@@ -17,9 +17,9 @@ from typing import Any
 from urllib.parse import unquote, urlparse
 
 from autograder import __version__
+from autograder.authoring.pyproject import ENGINE
 from autograder.course import Course, Settings
 from autograder.errors import UsageError
-from autograder.release.pyproject import ENGINE
 
 TEMPLATE = Path(__file__).parent / "template"
 # Of the template, what belongs to the example chapter and is left out by `--from`.

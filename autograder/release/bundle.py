@@ -10,13 +10,13 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from autograder.authoring.build import build_student_notebooks
+from autograder.authoring.practice import PRACTICE, practice_files
+from autograder.authoring.pyproject import bundle_pyproject, kinds_setting
 from autograder.course import Course
 from autograder.errors import CourseError, UsageError
 from autograder.marking.snapshots import SNAPSHOTS
 from autograder.release.files import LeftOut, left_out, student_files
 from autograder.release.leaks import leaks
-from autograder.release.practice import PRACTICE, practice_files
-from autograder.release.pyproject import bundle_pyproject, kinds_setting
 from autograder.release.readme import student_readme
 from autograder.release.take_snapshots import chapter_snapshots
 

@@ -116,7 +116,7 @@ ROUTINES = {
         "                      else np.sqrt(weights))\n"
         "    r, alpha = b / np.hypot(m, 1), np.arctan2(1, -m)\n"
         "    return (r, alpha) if r >= 0 else (-r, alpha - np.pi)",
-        "fits y = mx + b",
+        None,
     ),
     "cv2.fitLine": (
         "import cv2, numpy as np\n"

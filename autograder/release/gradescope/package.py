@@ -12,11 +12,11 @@ import zipfile
 from collections.abc import Sequence
 from pathlib import Path
 
+from autograder.authoring.pyproject import bundle_pyproject
 from autograder.course import Course
 from autograder.gradebook.record import Record
 from autograder.release.files import grader_files
 from autograder.release.gradescope.results import results
-from autograder.release.pyproject import bundle_pyproject
 from autograder.reports.files import file_name, write_text
 
 _SETUP = """#!/usr/bin/env bash
