@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import importlib
-import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from autograder.course.own_code import OWN, put_first
 from autograder.errors import CourseError
 
 
@@ -20,8 +20,7 @@ def load_object(dotted_name: str, root: Path) -> Callable[..., Any]:
         CourseError: if there is no such module or function.
     """
     module_name, _, name = dotted_name.partition(":")
-    if str(root) not in sys.path:
-        sys.path.insert(0, str(root))
+    put_first(root, {*OWN, module_name.partition(".")[0]} - {"autograder"})
     try:
         loaded: Callable[..., Any] = getattr(importlib.import_module(module_name), name)
         return loaded
