@@ -21,9 +21,12 @@ from multiprocessing.connection import Connection, wait
 from pathlib import Path
 from typing import Any
 
+import msgspec
+
 from autograder.course import Course, load_course
 from autograder.course.questions import Question
 from autograder.errors import CourseError
+from autograder.kinds.answer import Answer
 from autograder.kinds.registry import kind_of
 from autograder.marking.draw import random_numbers
 from autograder.marking.marker import Marker
@@ -306,8 +309,8 @@ def _digest(course: Course, question: Question) -> str:
     return digest.hexdigest()
 
 
-def _without_words(answer: Any) -> dict[str, Any]:
-    fields = asdict(answer)
+def _without_words(answer: Answer) -> dict[str, Any]:
+    fields: dict[str, Any] = msgspec.to_builtins(answer)
     for name in ("explanation", "equivalent", "code"):
         fields.pop(name, None)
     return fields

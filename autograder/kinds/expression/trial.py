@@ -40,7 +40,7 @@ class ExpressionTrial(Trial):
         expected = np.broadcast_to(evaluate_formula(self._right.expression, wide), (64,))
         period = float(evaluate_formula(self._right.modulo, {})) if self._right.modulo else None
         made = []
-        names = [name for name, _ in question.symbols]
+        names = list(question.symbols)
         for mutant, text in edited_formulas(self._right.expression, names):
             try:
                 values = np.broadcast_to(evaluate_formula(text, wide), (64,))
