@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import os
 from contextlib import suppress
-from dataclasses import replace
 from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any, NamedTuple
+
+from msgspec import structs
 
 from autograder.course import Course, load_course
 from autograder.course.questions import Question
@@ -103,7 +104,7 @@ class Bench:
         if not kind_of(question).solutions(answer):
             return answer
         right = tuple(entry for entry in answer.alternatives if not entry.is_mistake)
-        return replace(answer, alternatives=right)
+        return structs.replace(answer, alternatives=right)
 
     def _draw(self, question: Question, answer: Answer, seed: int) -> Drawn:
         if (question.id, seed) not in self._drawn:

@@ -9,9 +9,12 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
+import msgspec
+
 from autograder.course import Course
 from autograder.course.questions import Question
 from autograder.course.variants import module_of, variants_of
+from autograder.kinds.answer import Answer
 from autograder.kinds.registry import kind_of
 from autograder.marking.mutants.clones import course_sources
 from autograder.marking.mutants.mutant import Mutant
@@ -54,8 +57,8 @@ def digest_of(course: Course, question: Question) -> str:
     return digest.hexdigest()
 
 
-def _without_words(answer: Any) -> dict[str, Any]:
-    fields = asdict(answer)
+def _without_words(answer: Answer) -> dict[str, Any]:
+    fields: dict[str, Any] = msgspec.to_builtins(answer)
     for name in ("explanation", "equivalent", "code"):
         fields.pop(name, None)
     return fields

@@ -108,7 +108,7 @@ class Course:
         key: dict[str, Answer] = {}
         for chapter in self.chapters:
             path = self.root / ANSWERS / f"{chapter.name}.toml"
-            tables = _read_toml(path, f"write the answers to {chapter.name}.toml there")
+            text, tables = _read_toml(path, f"write the answers to {chapter.name}.toml there")
             asked = {question.id: question for question in chapter.questions}
             for id in asked.keys() - tables.keys():
                 raise CourseError(f"{id} has no answer; add one to {path.relative_to(self.root)}.")
@@ -117,7 +117,7 @@ class Course:
                     f"{path.relative_to(self.root)} answers {id}, which nobody asks; "
                     f"add the question to {QUESTIONS / path.name} or remove the answer."
                 )
-            key |= {id: answer_from_table(tables[id], asked[id]) for id in asked}
+            key |= {id: answer_from_table(tables[id], asked[id], text) for id in asked}
         return key
 
     @cached_property
@@ -212,7 +212,7 @@ def load_course(root: Path | None = None) -> Course:
         load_kind(package, root)
     chapters = []
     for path in sorted((root / QUESTIONS).glob("*.toml"), key=_chapter_position(root)):
-        table = _read_toml(path, "write it, or remove the file")
+        text, table = _read_toml(path, "write it, or remove the file")
         unknown = table.keys() - {"title", "question"}
         if unknown or not isinstance(table.get("title"), str):
             raise CourseError(
@@ -223,7 +223,9 @@ def load_course(root: Path | None = None) -> Course:
             raise CourseError(
                 f"{path.relative_to(root)}: each question is a table that begins with [[question]]."
             )
-        questions = tuple(question_from_table(entry, path.stem) for entry in entries)
+        questions = tuple(
+            question_from_table(entry, path.stem, text, n) for n, entry in enumerate(entries)
+        )
         chapters.append(Chapter(path.stem, table["title"], questions))
     if not chapters:
         raise CourseError(f"{root / QUESTIONS} holds no questions; add a CHAPTER.toml.")
@@ -266,9 +268,11 @@ def _chapter_position(root: Path) -> Any:
     return lambda path: numbers.get(path.stem, "~" + path.stem)
 
 
-def _read_toml(path: Path, missing: str) -> dict[str, Any]:
+def _read_toml(path: Path, missing: str) -> tuple[str, dict[str, Any]]:
+    """A file's text, and what it says."""
     try:
-        return tomllib.loads(path.read_text(encoding="utf-8"))
+        text = path.read_text(encoding="utf-8")
+        return text, tomllib.loads(text)
     except FileNotFoundError:
         raise CourseError(f"{path} is missing; {missing}.") from None
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
@@ -280,7 +284,7 @@ def _read_tool_table(root: Path) -> dict[str, Any]:
     path = root / "pyproject.toml"
     if not path.exists():
         return {}
-    tools = _read_toml(path, "").get("tool", {})
+    tools = _read_toml(path, "")[1].get("tool", {})
     table = tools.get("autograder", {}) if isinstance(tools, dict) else {}
     if not isinstance(table, dict):
         raise CourseError(

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Sequence
 
 from autograder.course import Course
-from autograder.errors import AutograderError
+from autograder.errors import AutograderError, machine_error
 from autograder.grading.graded import Graded, grader_failed, unreadable
 from autograder.grading.spread import Spread, Task
 from autograder.intake.handout import Handout, handout_of
@@ -64,4 +64,7 @@ def _read(
     except AutograderError:
         raise
     except Exception as error:
+        short = machine_error(error)
+        if short is not None:
+            raise short from None
         return unreadable(submission, course, grader_failed(error), questions)

@@ -118,8 +118,6 @@ def parse_json(data: bytes, name: str) -> Any:
         raise Unreadable(
             f"{name} is damaged (line {error.lineno}: {error.msg.lower()}); save it again."
         ) from None
-    except MemoryError:
-        raise Unreadable(f"{name} {_TOO_LARGE}") from None
     except (RecursionError, ValueError):  # ValueError: an integer of 5,000 digits
         raise Unreadable(f"{name} holds data that no notebook holds; save it again.") from None
 

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from autograder.course import Course
+from autograder.errors import MachineError
 
 
 @dataclass(frozen=True)
@@ -31,12 +32,20 @@ def run_doctor(course: Course) -> list[Finding]:
                 "Grade in WSL or in a Linux container, or with --no-sandbox what you trust.",
             )
         ]
+    from autograder.sandbox.room import require_room
     from autograder.sandbox.tiers import tiers
 
     findings = _parts()
+    try:
+        require_room(course.settings)
+    except MachineError as short:
+        return [*findings, Finding("grading", False, str(short))]
     best = None
     for tier in tiers(course):
-        works = tier.try_out()
+        try:
+            works = tier.try_out()
+        except MachineError as short:
+            return [*findings, Finding("grading", False, str(short))]
         tier.stop_unused()
         findings += _attempts(tier)
         if works and best is None:

@@ -17,7 +17,7 @@ from autograder.exchange import wire
 from autograder.exchange.channel import Channel, Late
 from autograder.exchange.replies import clean_evaluation, clean_report
 from autograder.sandbox.host import Host, HostError, limits
-from autograder.sandbox.stopped import Stopped, out_of_time
+from autograder.sandbox.stopped import BY_THE_SYSTEM, Stopped, out_of_time
 
 GRACE = 1.0  # seconds between the child's own limit and the one kept here
 PATIENCE = 20  # times a limit: how long to wait for a child that is given no processor
@@ -336,5 +336,5 @@ def _stop_by(number: Any) -> Stopped:
     if number in (signal.SIGSEGV, signal.SIGBUS, signal.SIGFPE, signal.SIGILL, signal.SIGABRT):
         return Stopped("killed", f"it crashed ({signal.Signals(number).name})")
     if number == signal.SIGKILL:
-        return Stopped("killed", "it was ended by the system, as happens when memory runs out")
+        return Stopped("killed", BY_THE_SYSTEM)
     return Stopped("killed", "it ended its own process")

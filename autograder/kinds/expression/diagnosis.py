@@ -55,7 +55,7 @@ def diagnose_expression(
                 "a constant factor",
                 "It looks as if only a constant factor is wrong: the form is right.",
             )
-        symbols = [name for name, _ in question.symbols]
+        symbols = list(question.symbols)
         for mutant, text in edited_formulas(entry.expression, symbols):
             if time.process_time() > end:
                 return None

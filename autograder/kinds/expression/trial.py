@@ -43,7 +43,7 @@ class ExpressionTrial(Trial):
         self._period = period
         self._seeds: dict[int, tuple[dict[str, np.ndarray], np.ndarray]] = {}
         made = []
-        names = [name for name, _ in question.symbols]
+        names = list(question.symbols)
         for mutant, text in edited_formulas(self._right.expression, names):
             try:
                 values = np.broadcast_to(evaluate_formula(text, wide), (64,))

@@ -12,8 +12,6 @@ from autograder.course.loading import load_object
 from autograder.kinds.answer import Alternative
 from autograder.kinds.code import CodeKind
 from autograder.kinds.drawn import Drawn
-from autograder.kinds.function import answer as right
-from autograder.kinds.function import question as asked
 from autograder.kinds.function import snapshot as examples
 from autograder.kinds.function.answer import FunctionAnswer
 from autograder.kinds.function.expected import draw
@@ -24,7 +22,6 @@ from autograder.kinds.function.stub import function_stub, reference_source
 from autograder.kinds.function.take_snapshot import take_snapshot
 from autograder.kinds.function.trial import FunctionTrial
 from autograder.kinds.mark import Mark
-from autograder.kinds.toml_table import Table
 from autograder.marking.mutants.mutant import Trial
 
 
@@ -34,14 +31,8 @@ class FunctionKind(CodeKind[Function, FunctionAnswer]):
     name = "function"
     parts_heading = "Kinds of input"
     fewest_variants = 4
-
-    def read_question(self, table: Table, common: dict[str, Any]) -> Function:
-        return asked.read_question(table, common)
-
-    def read_answer(
-        self, question: Function, table: Table, alternatives: list[Table], common: dict[str, Any]
-    ) -> FunctionAnswer:
-        return right.read_answer(table, alternatives, common)
+    question_type = Function
+    answer_type = FunctionAnswer
 
     def draw(
         self, question: Function, answer: FunctionAnswer, rng: np.random.Generator, root: Path

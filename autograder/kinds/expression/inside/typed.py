@@ -49,7 +49,7 @@ def read_expression(question: Expression, text: str) -> Any:
     tree = parse(text)
     import sympy as sp
 
-    symbols = {symbol: sp.Symbol(symbol, real=True) for symbol, _ in question.symbols}
+    symbols = {symbol: sp.Symbol(symbol, real=True) for symbol in question.symbols}
     constants = {"pi": sp.pi, "e": sp.E, "E": sp.E}
     functions = {name: getattr(sp, name) for name in _OF_SYMPY} | {
         "abs": sp.Abs,
