@@ -27,8 +27,8 @@ def add(commands: Commands) -> None:
         "merge",
         help="join gradebooks: marks by hand, overrides, notes",
         description="Adds to the gradebook in --out whatever the others have and it lacks; if "
-        "there is none yet, it starts as a copy of the first. Conflicts are shown and count for nobody "
-        "until you decide them with `mark` or `override`; the exit status is 1 until then.",
+        "there is none yet, it starts as a copy of the first. Conflicts are shown and count for "
+        "nobody until you decide them with `mark` or `override`; the exit status is 1 until then.",
     )
     merge.add_argument("books", nargs="+", type=Path, metavar="GRADEBOOK", help="a file or folder")
     add_out(merge)
