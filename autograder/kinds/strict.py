@@ -56,7 +56,7 @@ def read_table(table: object, kind: type[W], place: Place, **given: str) -> W:
         CourseError: if it does not fit.
     """
     if not isinstance(table, dict):
-        raise place.error("this must be a table")
+        raise place.error("it must be a table")
     for field in given.keys() & table.keys():
         raise place.error(f"unknown field {field!r}; remove or correct it", (field,))
     for path in _not_finite(table):
