@@ -32,6 +32,7 @@ from autograder.cli import (
     override,
     regrade,
     release,
+    schema,
     show,
     similar,
     watch,
@@ -45,7 +46,7 @@ __all__ = ["BROKEN", "DONE", "INTERRUPTED", "WRONG_USAGE", "main"]
 _COMMANDS = (
     *(intake, grade, regrade, show, override, note),
     *(mark, merge, adjust, export, feedback, similar, release),
-    *(new, build, check, watch, doctor),
+    *(new, build, check, watch, schema, doctor),
 )
 
 

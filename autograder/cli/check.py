@@ -27,7 +27,11 @@ def add(commands: Commands) -> None:
 def run(parsed: argparse.Namespace, console: Console) -> int:
     """Print every problem; the status says whether there is one."""
     from autograder.authoring.proof import prove_course
-    from autograder.authoring.proof_by_mutants import kept_promises, prove_by_mutants
+    from autograder.authoring.proof_by_mutants import (
+        kept_promises,
+        prove_by_mutants,
+        tried_styles,
+    )
 
     course = load(parsed)
     remarks: list[str] = []
@@ -39,8 +43,9 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
         problems = prove_course(course.root, report, mutants=parsed.strict)
         if not problems and not parsed.strict and not parsed.without_mutants:
             remarks = prove_by_mutants(course, report)
-    for line in [] if problems else kept_promises(course):
-        print(line)
+    if not problems:
+        for line in (*kept_promises(course), *tried_styles(course)):
+            print(line)
     for problem in problems:
         print(problem)
     if problems:

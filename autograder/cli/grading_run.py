@@ -135,7 +135,7 @@ def grade_and_report(
         print_changes(console, before, changed)
     elif changed:
         students = {change.student for change in changed}
-        console.print(f"{len(changed)} marks of {len(students)} students are others than before.")
+        console.print(f"{len(changed)} marks of {len(students)} students changed.")
     said = f" (read as {'; '.join(summary.rules)})" if summary.rules else ""
     console.print(f"{summary.sentence()}{said}; {written}.", soft_wrap=True, markup=False)
     return ended

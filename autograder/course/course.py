@@ -212,7 +212,7 @@ def load_course(root: Path | None = None) -> Course:
         load_kind(package, root)
     chapters = []
     for path in sorted((root / QUESTIONS).glob("*.toml"), key=_chapter_position(root)):
-        text, table = _read_toml(path, "write it, or remove the file")
+        text, table = _read_toml(path, "write it or remove the file")
         unknown = table.keys() - {"title", "question"}
         if unknown or not isinstance(table.get("title"), str):
             raise CourseError(

@@ -166,7 +166,7 @@ def _version(db: sqlite3.Connection, path: Path) -> int:
     tables = db.execute("SELECT count(*) FROM sqlite_schema").fetchone()[0]
     if version == 0 and tables:
         raise GradebookError(
-            f"{path} is a database, but no gradebook; move it away or choose another --out."
+            f"{path} is a database, but not a gradebook; move it away or choose another --out."
         )
     if version > SCHEMA_VERSION:
         raise GradebookError(

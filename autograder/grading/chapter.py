@@ -163,7 +163,7 @@ def _mark_named(
             question,
             "error",
             f"The cell that should define {question.name} raised an exception. "
-            "Restart the kernel, run all cells, and mend the first one that fails.",
+            "Restart the kernel, run all cells, and fix the first one that fails.",
         )
         return replace(mark, told=in_words(next(iter(ran.told[defining:]), None)))
     return marker.mark(question.id, response, _line(ran.understood.get(question.name, "")))

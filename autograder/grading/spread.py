@@ -43,7 +43,7 @@ class Spread(Protocol):
         """Have a task graded; ``more`` are likely to follow.
 
         Raises:
-            SandboxError: if student code cannot be kept in there.
+            SandboxError: if student code cannot be isolated there.
         """
 
     def finished(self, wait: bool) -> list[Graded]:

@@ -226,9 +226,12 @@ class Kind(ABC, Generic[Q, A]):
         """
         return None
 
-    def variant(self, question: Q, function: Callable[..., Any]) -> Any:
-        """The response that a function of ``solutions/variants`` stands for."""
-        return function()
+    def variant(self, question: Q, written: Any) -> Any:
+        """The response that an entry of ``solutions/variants`` stands for.
+
+        It was written by the course's author: a function, or a text as a student types it.
+        """
+        return written
 
     def promises(self, answer: A, root: Path, drawn: Drawn) -> list[tuple[str, list[str]]]:
         """What a prompt promises to raise, and the names of the cases that test it."""

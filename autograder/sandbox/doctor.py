@@ -28,8 +28,8 @@ def run_doctor(course: Course) -> list[Finding]:
             Finding(
                 "grading",
                 False,
-                f"Submissions can be kept in only on Linux; this is {platform.system()}.",
-                "Grade in WSL or in a Linux container, or with --no-sandbox what you trust.",
+                f"Submissions can be isolated only on Linux; this is {platform.system()}.",
+                "Grade in WSL or in a Linux container, or --no-sandbox for submissions you trust.",
             )
         ]
     from autograder.sandbox.room import require_room
@@ -56,7 +56,7 @@ def run_doctor(course: Course) -> list[Finding]:
                 "grading",
                 False,
                 "No kind of isolation works here: grading refuses to run submissions.",
-                "Mend one of the above, or grade what you trust with --no-sandbox.",
+                "Fix one of the above, or grade submissions you trust with --no-sandbox.",
             )
         )
     else:

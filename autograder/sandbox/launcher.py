@@ -36,7 +36,7 @@ else:
 
 
 class SandboxError(AutograderError):
-    """Student code cannot be kept in here; the sentence says why and what to do."""
+    """Student code cannot be isolated here; the sentence says why and what to do."""
 
 
 class Sandbox:
@@ -134,7 +134,7 @@ def isolation_parts(course: Course, isolation: Isolation = "auto") -> tuple[str,
 def _tier(course: Course, isolation: Isolation) -> Any:
     if sys.platform != "linux":
         raise SandboxError(
-            "Submissions can be kept in only on Linux (on Windows use WSL, on a Mac a Linux "
+            "Submissions can be isolated only on Linux (on Windows use WSL, on a Mac a Linux "
             "container); --no-sandbox grades them with your own rights."
         )
     from autograder.sandbox.tiers import best_tier

@@ -237,7 +237,7 @@ def best_tier(course: Course, wanted: str = "auto") -> Tier:
                 return tier
             problems.append(f"{tier.name}: {tier.problem.rstrip('.')}")
     raise SandboxError(
-        f"Submissions cannot be kept in on this machine ({'; '.join(problems)}). "
+        f"Submissions cannot be isolated on this machine ({'; '.join(problems)}). "
         f"{advice()} `autograder doctor` shows each attempt; --no-sandbox grades with your own "
         "rights, only for submissions that you trust."
     )

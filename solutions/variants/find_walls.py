@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from solutions.ransac.fast.consensus import ransac_line as all_at_once
 from solutions.ransac.line import ransac_line
 
 
@@ -26,7 +27,7 @@ def a_mask(points, threshold, iterations, min_points, rng):
     free, walls = np.ones(len(points), dtype=bool), []
     while free.sum() >= min_points:
         indices = np.flatnonzero(free)
-        line, inliers = ransac_line(points[free], threshold, iterations, rng)
+        line, inliers, _ = all_at_once(points[free], threshold, iterations, rng)
         if len(inliers) < min_points:
             return walls
         walls.append([tuple(line), indices[inliers].tolist()])
@@ -38,12 +39,10 @@ def numbered_points(points, threshold, iterations, min_points, rng):
     left, walls = dict(enumerate(points)), []
     while len(left) >= max(min_points, 2):
         numbers = list(left)
-        try:
-            found, inliers = ransac_line(np.array(list(left.values())), threshold, iterations, rng)
-        except ValueError:
+        consensus = all_at_once(np.array(list(left.values())), threshold, iterations, rng)
+        if consensus is None or len(consensus.inliers) < min_points:
             break
-        if len(inliers) < min_points:
-            break
+        found, inliers, _ = consensus
         wall = [numbers[i] for i in inliers]
         walls.append((found, np.array(wall)))
         for number in wall:
@@ -57,7 +56,7 @@ def labels(points, threshold, iterations, min_points, rng):
         left = np.where(label < 0)[0]
         if left.size < min_points:
             break
-        line, inliers = ransac_line(points[left], threshold, iterations, rng)
+        line, inliers, _ = all_at_once(points[left], threshold, iterations, rng)
         if inliers.size < min_points:
             break
         label[left[inliers]] = len(lines)

@@ -120,10 +120,10 @@ class ExpressionKind(CodeKind[Expression, ExpressionAnswer]):
     ) -> Trial:
         return ExpressionTrial(question, answer, draw)
 
-    def variant(self, question: Expression, function: Callable[..., Any]) -> Any:
-        from autograder.kinds.expression.inside.typed import on_symbols
+    def variant(self, question: Expression, written: Any) -> Any:
+        from autograder.kinds.expression.inside.typed import in_a_cell
 
-        return on_symbols(function)
+        return in_a_cell(written)
 
     def secrets(self, question: Expression, answer: ExpressionAnswer) -> Iterator[str]:
         yield from super().secrets(question, answer)

@@ -103,9 +103,6 @@ class FunctionKind(CodeKind[Function, FunctionAnswer]):
     ) -> Trial:
         return FunctionTrial(answer, proven, root, draw)
 
-    def variant(self, question: Function, function: Callable[..., Any]) -> Any:
-        return function
-
     def promises(
         self, answer: FunctionAnswer, root: Path, drawn: Drawn
     ) -> list[tuple[str, list[str]]]:

@@ -55,7 +55,7 @@ def _grade(root: Path, course_root: Path, explanations: bool) -> dict[str, Any]:
             grade_class([submission], course, spread, done.append)
     except SandboxError as error:
         print(error)
-        return failure("student code could not be kept in", most_points(course))
+        return failure("student code could not be isolated", most_points(course))
     return results(course, Record(done[0], 0, marker.seed), explanations)
 
 

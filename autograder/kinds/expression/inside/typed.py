@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import inspect
-from collections.abc import Callable
+import builtins
 from typing import Any
 
 from autograder.errors import UsageError
@@ -28,12 +27,17 @@ def formula_of(id: str, text: str) -> Any:
         return ...
 
 
-def on_symbols(function: Callable[..., Any]) -> Any:
-    """What a function of the course makes of the symbols that its parameters are called after."""
+def in_a_cell(text: str) -> Any:
+    """What a cell makes of a text by the course's author: ``sp`` is sympy, other names symbols."""
     import sympy as sp
 
-    names = inspect.signature(function).parameters
-    return function(**{name: sp.Symbol(name, real=True) for name in names})
+    class Names(dict[str, Any]):
+        def __missing__(self, name: str) -> Any:
+            if hasattr(builtins, name):
+                raise KeyError(name)
+            return sp.Symbol(name, real=True)
+
+    return eval(text, {}, Names(sp=sp, sympy=sp))
 
 
 def read_expression(question: Expression, text: str) -> Any:
