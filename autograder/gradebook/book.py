@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import sqlite3
-from collections.abc import Collection, Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime
@@ -175,6 +175,26 @@ class Gradebook:
             finally:
                 self._db.execute("COMMIT")
 
+    def students(self) -> list[str]:
+        """The keys of all students, in their order."""
+        return [row[0] for row in self._rows("SELECT student FROM submission ORDER BY student")]
+
+    def records_of(self, students: Sequence[str]) -> list[Record]:
+        """Everything about some hundred students at most, in their order; absent ones are not."""
+        return self._read_records(students)
+
+    def origins(self) -> Iterator[tuple[str, Path, Origin]]:
+        """The key of every student, the path of the work and where it comes from, by name."""
+        last = None
+        while rows := self._rows(
+            "SELECT student, path, origin FROM submission WHERE ?1 IS NULL OR student > ?1 "
+            "ORDER BY student LIMIT 500",
+            (last,),
+        ):
+            for student, path, origin in rows:
+                yield student, path_from_text(path), _origin(origin)
+            last = rows[-1][0]
+
     def record(self, student: str) -> Record:
         """Everything about one student, by key; upper and lower case do not matter.
 
@@ -183,11 +203,14 @@ class Gradebook:
         """
         return find_record(self.records(), student)
 
-    def _read_records(self) -> list[Record]:
-        marks = self._marks()
+    def _read_records(self, students: Sequence[str] | None = None) -> list[Record]:
+        chosen, names = "", tuple(students or ())
+        if students is not None:
+            chosen = f"WHERE student IN ({', '.join('?' * len(names))})"
+        marks = self._marks(chosen, names)
         overrides: dict[str, dict[str, Override]] = {}
         disputes: dict[str, dict[str, tuple[Override, ...]]] = {}
-        for entry, disputed in self._overrides():
+        for entry, disputed in self._overrides(chosen, names):
             counting = overrides.setdefault(entry.student, {})
             disputed_ones = disputes.setdefault(entry.student, {})
             before = counting.pop(entry.question, None)
@@ -199,19 +222,21 @@ class Gradebook:
             if entry.points is not None:
                 counting[entry.question] = entry
         notes: dict[str, list[Note]] = {}
-        for note in self.notes():
+        for note in self._notes(chosen, names):
             notes.setdefault(note.student, []).append(note)
         attempts: dict[str, list[Attempt]] = {}
         for student, *fields, text in self._rows(
             "SELECT student, handed_in, late_percent, replaced_at, fingerprint, marks "
-            "FROM attempt ORDER BY id"
+            f"FROM attempt {chosen} ORDER BY id",
+            names,
         ):
             past = tuple(Mark.from_dict(mark) for mark in json.loads(text))
             attempts.setdefault(student, []).append(Attempt(past, *fields))
         rows = self._rows(
             "SELECT student, path, fingerprint, status, notes, submission.seconds, origin, run, "
             "seed, handed_in, late_days, late_percent, isolation, course_version "
-            "FROM submission JOIN run ON run.id = submission.run ORDER BY student"
+            f"FROM submission JOIN run ON run.id = submission.run {chosen} ORDER BY student",
+            names,
         )
         found = []
         for student, path, fingerprint, status, odd, seconds, origin, run, seed, *rest in rows:
@@ -335,10 +360,13 @@ class Gradebook:
                 ],
             )
 
-    def _overrides(self) -> Iterator[tuple[Override, bool]]:
+    def _overrides(
+        self, where: str = "", values: tuple[Any, ...] = ()
+    ) -> Iterator[tuple[Override, bool]]:
         for row in self._rows(
             "SELECT student, question, points, reason, made_at, author, levels, response, disputed "
-            "FROM override ORDER BY id"
+            f"FROM override {where} ORDER BY id",
+            values,
         ):
             student, question, points, reason, made_at, author, levels, response, disputed = row
             said = json.loads(levels)
@@ -347,22 +375,30 @@ class Gradebook:
 
     def notes(self) -> list[Note]:
         """Every remark, oldest first."""
-        return [
-            Note(*row)
-            for row in self._rows("SELECT student, text, made_at, author FROM note ORDER BY id")
-        ]
+        return self._notes()
+
+    def _notes(self, where: str = "", values: tuple[Any, ...] = ()) -> list[Note]:
+        rows = self._rows(
+            f"SELECT student, text, made_at, author FROM note {where} ORDER BY id", values
+        )
+        return [Note(*row) for row in rows]
 
     def note(self, student: str, text: str, author: str = "") -> None:
         """Add a remark about a student."""
         self.add([], [Note(student, text, _now(), author)])
 
-    def set_lateness(self, late: Mapping[str, tuple[str | None, int, float]]) -> None:
+    def set_lateness(
+        self,
+        late: Mapping[str, tuple[str | None, int, float]]
+        | Iterable[tuple[str, tuple[str | None, int, float]]],
+    ) -> None:
         """Write for each student when it was handed in, the days late and the percent they cost."""
+        entries = late.items() if isinstance(late, Mapping) else late
         with self._transaction() as db:
             db.executemany(
                 "UPDATE submission SET handed_in = ?, late_days = ?, late_percent = ? "
                 "WHERE student = ?",
-                [(*values, student) for student, values in late.items()],
+                ((*values, student) for student, values in entries),
             )
 
     def setting(self, name: str) -> str | None:

@@ -6,6 +6,7 @@ import pickle
 import tempfile
 from array import array
 from collections.abc import Iterable, Iterator, Sequence
+from functools import cache
 from typing import IO, Any, Generic, TypeVar, overload
 
 from autograder.errors import machine_error
@@ -18,8 +19,9 @@ T = TypeVar("T")
 class Shelf(Sequence[T], Generic[T]):
     """A sequence that grows at its end; all but the last items lie in a file without a name.
 
-    The file holds only what this process wrote, and is gone with it. Up to some hundred items
-    nothing is written, and what is taken out is what was put in; beyond, it is equal.
+    The file is one for all shelves, holds only what this process wrote, and is gone with it. Up to
+    some hundred items nothing is written, and what is taken out is what was put in; beyond, it is
+    equal. Shelves are for one thread.
 
     Raises:
         MachineError: from `append`, if there is no room for the file.
@@ -28,7 +30,6 @@ class Shelf(Sequence[T], Generic[T]):
     def __init__(self, items: Iterable[T] = ()) -> None:
         self._end: list[T] = []
         self._starts = array("Q")  # where in the file each block begins
-        self._file: IO[bytes] | None = None
         self._kept: tuple[int, list[T]] = (-1, [])
         self.extend(items)
 
@@ -87,19 +88,25 @@ class Shelf(Sequence[T], Generic[T]):
 
     def _write(self, items: list[T]) -> None:
         try:
-            if self._file is None:
-                self._file = tempfile.TemporaryFile()  # noqa: SIM115 -- open as long as the shelf
-            self._starts.append(self._file.seek(0, 2))
-            pickle.dump(items, self._file, pickle.HIGHEST_PROTOCOL)
-            self._file.flush()
+            file = _file()
+            start = file.seek(0, 2)
+            pickle.dump(items, file, pickle.HIGHEST_PROTOCOL)
+            file.flush()
+            self._starts.append(start)
         except OSError as error:
             raise machine_error(error, tempfile.gettempdir()) or error from None
 
     def _read(self, block: int) -> list[T]:
-        assert self._file is not None
-        self._file.seek(self._starts[block])
-        items: list[T] = _Ours(self._file).load()
+        file = _file()
+        file.seek(self._starts[block])
+        items: list[T] = _Ours(file).load()
         return items
+
+
+@cache
+def _file() -> IO[bytes]:
+    """One for all shelves: of files that are open, a process may have few."""
+    return tempfile.TemporaryFile()
 
 
 class _Ours(pickle.Unpickler):
