@@ -12,7 +12,7 @@ from autograder.reports.gather import MOST_NAMED, gather
 from autograder.reports.write import Options, write_reports
 from tests.classroom import all_marks, fill, graded, make_course
 
-PICTURE = r"\bt\d+\b"
+PICTURE = r"\b[td]\d+\b"
 
 
 @pytest.fixture
@@ -26,7 +26,7 @@ def pages(out: Path) -> dict[str, int]:
 
 def plain(path: Path) -> str:
     """The text without the numbers by which a process tells its pictures apart."""
-    return re.sub(PICTURE, "t", path.read_text())
+    return re.sub(PICTURE, "n", path.read_text())
 
 
 def written(course, book: Gradebook, out: Path) -> None:
@@ -52,7 +52,7 @@ def test_a_page_is_written_again_only_if_it_would_say_something_else(course, tmp
         assert now["bob"] != before["bob"]
         assert "Said it aloud." in (out / "feedback/bob.html").read_text()
         assert "cyd" in now
-        assert plain(out / "feedback/dan.html") == re.sub(PICTURE, "t", whole)
+        assert plain(out / "feedback/dan.html") == re.sub(PICTURE, "n", whole)
         book.set("explanations", "yes")
         written(course, book, out)
         assert not set(pages(out).items()) & set(now.items())
