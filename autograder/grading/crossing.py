@@ -87,6 +87,7 @@ def pack_result(result: Graded | Broken) -> bytes:
             "marks": [mark.to_dict() for mark in result.marks],
             "notes": result.notes,
             "seconds": result.seconds,
+            "doubtful": result.is_doubtful,
         }
     )
 
@@ -103,6 +104,7 @@ def unpack_result(data: bytes, submission: Submission) -> Graded | Broken:
         tuple(Mark.from_dict(mark) for mark in fields["marks"]),
         tuple(fields["notes"]),
         fields["seconds"],
+        fields["doubtful"],
     )
 
 

@@ -13,6 +13,7 @@ from autograder.grading.graded import Graded, grader_failed, same_mark_for_all
 from autograder.intake.submissions import Contents, Submission
 from autograder.marking import Mark
 from autograder.marking.marker import Marker
+from autograder.sandbox.doubt import Doubt
 from autograder.sandbox.launcher import Sandbox
 
 
@@ -30,6 +31,7 @@ def grade_submission(
             that there was no memory, no process or no room left here.
     """
     began = time.monotonic()
+    sandbox.doubt = Doubt()
     fingerprint, notes = contents.fingerprint, tuple(contents.notes)
     try:
         marks = tuple(grade_contents(contents, marker, sandbox, questions))
@@ -46,7 +48,8 @@ def grade_submission(
         marks = same_mark_for_all(marker.course, "killed", said, questions)
         fingerprint, notes = "", (*notes, said)
     seconds = time.monotonic() - began
-    return Graded(submission, "graded", fingerprint, marks, notes, seconds)
+    doubtful = sandbox.doubt.is_doubtful
+    return Graded(submission, "graded", fingerprint, marks, notes, seconds, doubtful)
 
 
 def grade_contents(

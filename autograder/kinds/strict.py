@@ -83,6 +83,8 @@ def _explained(
         near = get_close_matches(field["name"], _known(kind, path), 1)
         cure = f"perhaps {near[0]!r} is meant" if near else "remove or correct it"
         return f"{inside}unknown field {field['name']!r}; {cure}", (*path, field["name"])
+    if problem.startswith("Invalid enum value"):
+        return f"{_trail(table, path)} is {_at(table, path)!r}; write {_choices(kind, path)}", path
     if expected := _EXPECTED.match(problem):
         return _expected(expected["wanted"], expected["rest"], table, path), path
     return (f"in {_trail(table, path)}, {problem}" if path else problem), path
@@ -148,14 +150,26 @@ def _trail(table: dict[str, Any], path: toml_lines.Path) -> str:
 
 def _known(kind: type[Written], path: toml_lines.Path) -> list[str]:
     """The fields that a table at this path may have, as far as the types tell."""
+    here = _type_at(kind, path)
+    fields = here.fields if isinstance(here, msgspec.inspect.StructType) else ()
+    return [field.encode_name for field in fields]
+
+
+def _choices(kind: type[Written], path: toml_lines.Path) -> str:
+    """The values that a field may have."""
+    return " or ".join(repr(value) for value in getattr(_type_at(kind, path), "values", ()))
+
+
+def _type_at(kind: type[Written], path: toml_lines.Path) -> Any:
     here: Any = msgspec.inspect.type_info(kind)
     for step in path:
         if isinstance(here, msgspec.inspect.StructType) and isinstance(step, str):
             here = next(f.type for f in here.fields if f.encode_name == step)
         else:
             here = getattr(here, "item_type", getattr(here, "value_type", here))
-    fields = here.fields if isinstance(here, msgspec.inspect.StructType) else ()
-    return [field.encode_name for field in fields]
+        if isinstance(here, msgspec.inspect.UnionType):  # or None
+            here = here.types[0]
+    return here
 
 
 def _not_finite(value: Any, path: toml_lines.Path = ()) -> Iterator[toml_lines.Path]:

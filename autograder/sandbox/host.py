@@ -109,21 +109,21 @@ class Host:
                 ours.close()
                 raise HostError("The sandbox has ended.") from None
         try:
-            self._expect({"started": self._number})
+            self._expect("started")
         except AutograderError:
             ours.close()
             raise
         cap = int(self._settings.output_mb * 2**20)
         return Channel(ours, max_json=cap, max_arrays=cap)
 
-    def close(self) -> None:
-        """End the child and everything that it started.
+    def close(self) -> float:
+        """End the child and everything that it started; the seconds of its own that it had.
 
         Raises:
             HostError: if the zygote does not answer; then `stop` it.
         """
         self._tell({"end": self._number})
-        self._expect({"ended": self._number})
+        return float(self._expect("ended").get("had", 0.0))
 
     def own_time(self, since: float) -> float | None:
         """The child's own seconds since a moment, as `OwnTime` counts; None if it has ended.
@@ -181,14 +181,14 @@ class Host:
         except OSError:
             raise HostError("The sandbox has ended.") from None
 
-    def _expect(self, answer: dict[str, Any]) -> None:
+    def _expect(self, word: str) -> dict[str, Any]:
         deadline = time.monotonic() + _ANSWER_SECONDS
         while True:
             message = self._hear(deadline)
             if message is None:
                 raise HostError("The sandbox does not answer.")
-            if message == answer:
-                return
+            if message.get(word) == self._number:
+                return message
             if message.get("not started") == self._number:
                 short = self._short(message)
                 raise short or HostError(f"A notebook could not be started: {self._said()}")

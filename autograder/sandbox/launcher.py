@@ -13,6 +13,7 @@ from typing import Any, Literal, cast
 
 from autograder.course import Course
 from autograder.errors import AutograderError
+from autograder.sandbox.doubt import Doubt
 from autograder.sandbox.stopped import Stopped
 
 __all__ = [
@@ -43,7 +44,8 @@ class Sandbox:
 
     ``isolation`` names what keeps student code in, for reports. It may be chosen: ``auto`` takes
     the best of ``bubblewrap`` and ``reduced`` that works here, ``none`` is nothing but a process
-    of its own. The same ``seed`` makes code that uses chance repeat itself.
+    of its own. The same ``seed`` makes code that uses chance repeat itself. ``doubt`` is what its
+    sessions since it was set leave in doubt.
 
     Raises:
         SandboxError: on entering, if no isolation works here.
@@ -61,6 +63,7 @@ class Sandbox:
         self._sessions: list[Any] = []
         self._stopped = threading.Event()
         self.isolation = NO_SANDBOX
+        self.doubt = Doubt()
 
     def __enter__(self) -> Sandbox:
         if not self._plain:
@@ -83,7 +86,8 @@ class Sandbox:
 
             session: Any = PlainSession(self._course, deadline)
         else:
-            session = Session(self._take_host, self._course.settings, self._seed, deadline)
+            settings = self._course.settings
+            session = Session(self._take_host, settings, self._seed, deadline, self.doubt)
         self._sessions = [session]
         return cast("Session", session)
 

@@ -8,7 +8,8 @@ socket that student code never gets:
   left, forks a child that serves this socket, answers ``{"started": number}`` when it is confined.
   If it cannot be, no student code has run: ``{"not started": number, "short": ..., "where": ...}``
   says what this machine is short of.
-- ``{"end": number}``: ends the child and all it started, answers ``{"ended": number}``.
+- ``{"end": number}``: ends the child and all it started, answers ``{"ended": number, "had": ...}``
+  with the seconds of its own that it had.
 
 - ``{"time since": moment}`` answers ``{"had": seconds}``, as `OwnTime` counts them.
 - ``{"interrupt": number, "only_forks": ...}`` ends what the child has forked, or sends the child
@@ -162,8 +163,9 @@ class Zygote:
             if message["interrupt"] == self._number:
                 self._interrupt(message["only_forks"])
         elif "end" in message:
+            self._own_time.look(self._usage.processes())
             self._sweep()
-            self._say({"ended": message["end"]})
+            self._say({"ended": message["end"], "had": self._own_time.since(0.0)})
         return True
 
     def _start(self, message: dict[str, Any], descriptor: int) -> None:
