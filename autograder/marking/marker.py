@@ -59,6 +59,18 @@ class Marker:
                     self._drawn[id] = replace(drawn, tells=self._tells)
         return self._drawn[id]
 
+    def for_student(self, student: str) -> Marker:
+        """The marker of a student's own numbers; what does not vary is drawn once for all.
+
+        ``student`` is what they say they are called.
+        """
+        course = self.course.for_student(student)
+        if course is self.course:
+            return self
+        own = Marker(course, self.seed)
+        own._drawn = {id: drawn for id, drawn in self._drawn.items() if id not in course.variants}
+        return own
+
     def prepare(self, ids: Collection[str] | None = None) -> None:
         """Draw for these questions, or for all, before several threads ask for them."""
         for id in self.course.questions if ids is None else ids:
