@@ -52,19 +52,21 @@ def grade_and_report(
     """Grade, show what changed, and (unless it is a dry run) keep it and write the reports."""
     # What is broken is said before anything runs.
     class_list = summary.class_list
-    submissions = Shelf(row.submission for row in summary.rows)
+    submissions = Shelf(Submission, (row.submission for row in summary.rows))
     Pictures(course)
     _require_packages(course)
     questions = frozenset(course.question(id).id for id in parsed.question or ()) or None
     isolation: Isolation = "none" if parsed.no_sandbox else "auto"
     run = _choose_run(parsed, course, book, regrade, isolation)
-    marker = Marker(course, run.seed)
+    marker = Marker(course, run.seed, tells=False)
     known = None
     if questions is None and not parsed.dry_run:
         known = _known(book, run, course)
     tally = Tally(book)
     if parsed.no_sandbox:
         warn("Student code runs with your own rights (--no-sandbox); every report says so.")
+    if not parsed.dry_run:
+        book.note_works()
     # As it was before any student code ran; so are the times in the summary.
     handed_in = snapshot_class(piece.path for entry in submissions for piece in entry.pieces)
     began = time.monotonic()
@@ -91,7 +93,9 @@ def grade_and_report(
         with spread:
             try:
                 with _journal(parsed, book, regrade) as journal, _ended_orderly():
-                    grade_class(submissions, course, spread, done, questions, known, journal)
+                    grade_class(
+                        submissions, course, spread, done, questions, known, journal, book.works
+                    )
             except KeyboardInterrupt:
                 interrupted = True
             finally:

@@ -13,7 +13,6 @@ from autograder.errors import UsageError
 
 if TYPE_CHECKING:
     from autograder.gradebook import Record
-    from autograder.intake.submissions import Submission
 
 
 def add(commands: Commands) -> None:
@@ -35,6 +34,7 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
     from autograder.gradebook import Gradebook, find_record, view_class
     from autograder.gradebook.view import with_people
     from autograder.intake.shelf import Shelf
+    from autograder.intake.submissions import Submission
     from autograder.reports.terminal import warn
 
     course = load(parsed)
@@ -45,7 +45,7 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
         if parsed.students:
             records, _ = with_people(book.records(), class_list)
             chosen = [find_record(records, student) for student in parsed.students]
-        remaining: Shelf[Submission] = Shelf()
+        remaining: Shelf[Submission] = Shelf(Submission)
         for record in chosen:
             submission = record.graded.submission
             if submission.path.exists():

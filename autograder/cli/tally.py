@@ -17,10 +17,10 @@ class Tally:
 
     def __init__(self, book: Gradebook) -> None:
         self._book = book
-        self.students: Shelf[str] = Shelf()
+        self.students: Shelf[str] = Shelf(str)
         self.unreadable: set[str] = set()
         self.passed_by: list[str] = []  # what stopped the grader itself
-        self.changed: Shelf[Change] = Shelf()
+        self.changed: Shelf[Change] = Shelf(Change)
         self.earned: dict[str, float] = {}
 
     @property

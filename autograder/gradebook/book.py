@@ -18,6 +18,9 @@ from autograder.grading.graded import Graded
 from autograder.intake.origin import Origin, path_from_text, path_to_text
 from autograder.intake.submissions import Submission
 from autograder.marking import Mark
+from autograder.marking.draw import set_number
+
+_WORKS = "works of "  # a student
 
 
 @dataclass(frozen=True)
@@ -166,6 +169,51 @@ class Gradebook:
         submission = Submission(student, path_from_text(path), origin=_origin(origin))
         return Graded(submission, status, fingerprint, marks, tuple(json.loads(notes)), seconds)
 
+    def works(self, student: str) -> list[str]:
+        """The fingerprints of what a student handed in until now, in the order they first came."""
+        return self._works_of([student]).get(student, [])
+
+    def note_works(self) -> None:
+        """From now on the order of everybody's `works` stays, whatever comes back."""
+        for several in _in_turns(self.students()):
+            noted = self._noted_works(several)
+            found = self._works_of(several)
+            with self._transaction() as db:
+                db.executemany(
+                    "INSERT OR REPLACE INTO setting VALUES (?, ?)",
+                    [
+                        (_WORKS + student, json.dumps(works))
+                        for student, works in found.items()
+                        if works != noted.get(student)
+                    ],
+                )
+
+    def _works_of(self, students: Sequence[str]) -> dict[str, list[str]]:
+        found: dict[str, list[str]] = {}
+        for several in _in_turns(students):
+            found |= self._works_of_several(several)
+        return found
+
+    def _works_of_several(self, students: Sequence[str]) -> dict[str, list[str]]:
+        found = self._noted_works(students)
+        among = f"fingerprint != '' AND student IN ({', '.join('?' * len(students))})"
+        for table, order in (("attempt", "id"), ("submission", "student")):
+            for student, fingerprint in self._rows(
+                f"SELECT student, fingerprint FROM {table} WHERE {among} ORDER BY {order}",
+                tuple(students),
+            ):
+                known = found.setdefault(student, [])
+                if fingerprint not in known:
+                    known.append(fingerprint)
+        return found
+
+    def _noted_works(self, students: Sequence[str]) -> dict[str, list[str]]:
+        rows = self._rows(
+            f"SELECT name, value FROM setting WHERE name IN ({', '.join('?' * len(students))})",
+            tuple(_WORKS + student for student in students),
+        )
+        return {name.removeprefix(_WORKS): json.loads(value) for name, value in rows}
+
     def records(self) -> list[Record]:
         """Everything about every student, by name, as of one moment."""
         with readable_errors(self.path):
@@ -238,8 +286,9 @@ class Gradebook:
             f"FROM submission JOIN run ON run.id = submission.run {chosen} ORDER BY student",
             names,
         )
-        found = []
+        found, works = [], self._works_of([row[0] for row in rows])
         for student, path, fingerprint, status, odd, seconds, origin, run, seed, *rest in rows:
+            number = set_number(student, fingerprint, works.get(student, ()))
             handed_in, late_days, late_percent, isolation, version = rest
             submission = Submission(student, path_from_text(path), origin=_origin(origin))
             notes_on_files = tuple(json.loads(odd))
@@ -260,6 +309,7 @@ class Gradebook:
                     version,
                     tuple(attempts.get(student, ())),
                     disputes.get(student, {}),
+                    set_number=number,
                 )
             )
         return found
@@ -443,6 +493,12 @@ def _keep_attempt(db: sqlite3.Connection, graded: Graded) -> None:
             _now(),
         ),
     )
+
+
+def _in_turns(students: Sequence[str]) -> Iterator[Sequence[str]]:
+    """As many at once as SQLite takes in one question."""
+    for start in range(0, len(students), 250):
+        yield students[start : start + 250]
 
 
 def _now() -> str:

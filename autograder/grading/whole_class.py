@@ -11,6 +11,7 @@ from autograder.grading.journal import PASSED_BY, STOPPED_THE_GRADER, Watch
 from autograder.grading.spread import Spread, Task
 from autograder.intake.handout import handout_of
 from autograder.intake.submissions import Submission, Unreadable, read_submission
+from autograder.marking.draw import set_number
 
 
 def grade_class(
@@ -21,12 +22,14 @@ def grade_class(
     questions: Collection[str] | None = None,
     known: Callable[[Submission, str], Graded | None] | None = None,
     watch: Watch | None = None,
+    works: Callable[[str], Sequence[str]] | None = None,
 ) -> None:
     """Grade submissions on ``spread``; call ``done`` with each as soon as it is ready.
 
-    ``done`` is called on the calling thread, and so is ``known``, which returns what a
-    submission with some fingerprint was graded before: it is not run again. Only ``questions`` are
-    marked, if they are given. Nothing is kept of what was done.
+    ``done`` is called on the calling thread, and so is ``known``, which returns what a submission
+    with some fingerprint was graded before: it is not run again. Only ``questions`` are marked, if
+    they are given. ``works`` says, there too, the fingerprints of what a student handed in until
+    now: other work is marked with other hidden inputs. Nothing is kept of what was done.
 
     What may have been this machine's doing, and what was at work when an earlier run died, is
     graded last and alone. What the grader died of is passed by.
@@ -35,7 +38,7 @@ def grade_class(
         AutograderError: if the course or a machine is broken. What was graded until then was
             given to ``done``.
     """
-    run = _Run(course, spread, done, questions, known, watch)
+    run = _Run(course, spread, done, questions, known, watch, works)
     deadly: list[tuple[Submission, int]] = []
     for count, submission in enumerate(submissions, 1):
         if watch is not None and (deaths := watch.deaths(submission)):
@@ -66,9 +69,11 @@ class _Run:
         questions: Collection[str] | None,
         known: Callable[[Submission, str], Graded | None] | None,
         watch: Watch | None,
+        works: Callable[[str], Sequence[str]] | None,
     ) -> None:
         self._course, self._spread, self._done = course, spread, done
         self._questions, self._known, self._watch = questions, known, watch
+        self._works = works
         self._handout = handout_of(course)
         self._last_try: set[str] = set()
         self.doubtful: list[Submission] = []
@@ -115,7 +120,11 @@ class _Run:
         """What is to be graded, or what is said of a submission that cannot be read."""
         course, questions = self._course, self._questions
         try:
-            return Task(submission, read_submission(submission, course.settings, self._handout))
+            contents = read_submission(submission, course.settings, self._handout)
+            works = self._works(submission.student) if self._works else ()
+            return Task(
+                submission, contents, set_number(submission.student, contents.fingerprint, works)
+            )
         except Unreadable as reason:
             return unreadable(submission, course, str(reason), questions)
         except AutograderError:

@@ -38,7 +38,7 @@ _DEEPEST = 4  # folders above the one that holds the class
 class Intake:
     """What was found: the submissions, what was passed over and why, and how it was read."""
 
-    submissions: Shelf[Submission] = field(default_factory=Shelf)
+    submissions: Shelf[Submission] = field(default_factory=lambda: Shelf(Submission))
     passed_over: list[PassedOver] = field(default_factory=list)
     rules: list[str] = field(default_factory=list)
     warnings: list[str] = field(default_factory=list)
@@ -70,7 +70,7 @@ def take_in(
         groups.setdefault(path.parent, []).append(DiskPlace(path))
     found = [_find_group(places, context, layout) for places in groups.values()]
     rules = list(dict.fromkeys(one.rule for one in found if one.entries))
-    entries = found[0].entries if found else Shelf()
+    entries = found[0].entries if found else Shelf(Entry)
     for other in found[1:]:
         entries += other.entries
     return Intake(
@@ -94,7 +94,7 @@ def _find_group(places: Sequence[Place], context: Context, layout: str | None) -
     parent = first.piece.path.parent
     group = Group(parent.name, places, replace(first.piece, path=parent))
     if layout == plain.ONE:
-        return Found("plain", plain.RULE_ONE, Shelf(map(plain.one_entry, places)))
+        return Found("plain", plain.RULE_ONE, Shelf(Entry, map(plain.one_entry, places)))
     if len(places) > 1:
         return _find(group, context, layout)
     # A single path may have the mark itself, as a student's folder out of a Moodle download has.
@@ -110,21 +110,21 @@ def _find_group(places: Sequence[Place], context: Context, layout: str | None) -
 def _find_single(place: Place, context: Context, layout: str | None) -> Found:
     """A path given by itself: a zip may hold a class."""
     if place.is_link or not (place.is_folder or is_zip(place)):
-        return Found("plain", plain.RULE_ONE, Shelf([plain.one_entry(place)]))
+        return Found("plain", plain.RULE_ONE, Shelf(Entry, [plain.one_entry(place)]))
     if place.is_folder:
         return _find(place, context, layout)
     if layout is None and plain._is_person(place, context):
-        return Found("plain", plain.RULE_ONE, Shelf([plain.one_entry(place)]))
+        return Found("plain", plain.RULE_ONE, Shelf(Entry, [plain.one_entry(place)]))
     inside = as_folder_if_readable(place)
     if inside is None:
-        return Found("plain", plain.RULE_ONE, Shelf([plain.one_entry(place)]))
+        return Found("plain", plain.RULE_ONE, Shelf(Entry, [plain.one_entry(place)]))
     found = _look(inside, context, layout, is_archive=True)
-    return found or Found("plain", plain.RULE_ONE, Shelf([plain.one_entry(place)]))
+    return found or Found("plain", plain.RULE_ONE, Shelf(Entry, [plain.one_entry(place)]))
 
 
 def _find(folder: Place, context: Context, layout: str | None) -> Found:
     found = _look(folder, context, layout, is_archive=False)
-    return found or Found("plain", plain.RULE_ONE, Shelf([plain.one_entry(folder)]))
+    return found or Found("plain", plain.RULE_ONE, Shelf(Entry, [plain.one_entry(folder)]))
 
 
 def _look(
@@ -235,7 +235,7 @@ def _with_unique_keys(
     every_name = set(names) if namesakes or known else set()
     taken = {_digest(key) for key in known.values()}
     used: set[str] = set()
-    submissions: Shelf[Submission] = Shelf()
+    submissions: Shelf[Submission] = Shelf(Submission)
     for number, entry in enumerate(entries):
         name = student_name(entry.key)
         same = namesakes.get(_alike(name), {number: entry})

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
-import pickle
+import json
 import tempfile
 from array import array
 from collections.abc import Iterable, Iterator, Sequence
 from functools import cache
+from pathlib import Path
 from typing import IO, Any, Generic, TypeVar, overload
 
+import msgspec
+
 from autograder.errors import machine_error
+from autograder.intake.origin import path_from_text, path_to_text
 
 _BLOCK = 512  # items that are written, and read again, together
 
@@ -21,13 +25,15 @@ class Shelf(Sequence[T], Generic[T]):
 
     The file is one for all shelves, holds only what this process wrote, and is gone with it. Up to
     some hundred items nothing is written, and what is taken out is what was put in; beyond, it is
-    equal. Shelves are for one thread.
+    equal. ``kind`` is their type: a dataclass of plain values and paths, or a plain type. Shelves
+    are for one thread.
 
     Raises:
         MachineError: from `append`, if there is no room for the file.
     """
 
-    def __init__(self, items: Iterable[T] = ()) -> None:
+    def __init__(self, kind: type[T] | Any, items: Iterable[T] = ()) -> None:
+        self._kind = kind
         self._end: list[T] = []
         self._starts = array("Q")  # where in the file each block begins
         self._kept: tuple[int, list[T]] = (-1, [])
@@ -90,8 +96,9 @@ class Shelf(Sequence[T], Generic[T]):
         try:
             file = _file()
             start = file.seek(0, 2)
-            pickle.dump(items, file, pickle.HIGHEST_PROTOCOL)
-            file.flush()
+            # As JSON in ASCII: names of files need not be text in any encoding.
+            plain = msgspec.to_builtins(items, enc_hook=_as_plain)
+            file.write(json.dumps(plain).encode() + b"\n")
             self._starts.append(start)
         except OSError as error:
             raise machine_error(error, tempfile.gettempdir()) or error from None
@@ -99,7 +106,8 @@ class Shelf(Sequence[T], Generic[T]):
     def _read(self, block: int) -> list[T]:
         file = _file()
         file.seek(self._starts[block])
-        items: list[T] = _Ours(file).load()
+        kinds = list[self._kind]  # type: ignore[name-defined]
+        items: list[T] = msgspec.convert(json.loads(file.readline()), kinds, dec_hook=_from_plain)
         return items
 
 
@@ -109,10 +117,13 @@ def _file() -> IO[bytes]:
     return tempfile.TemporaryFile()
 
 
-class _Ours(pickle.Unpickler):
-    """Reads back what was written here, and makes nothing else of it."""
+def _as_plain(value: Any) -> Any:
+    if isinstance(value, Path):
+        return path_to_text(value)
+    raise TypeError(type(value).__name__)
 
-    def find_class(self, module: str, name: str) -> Any:
-        if module.partition(".")[0] not in ("autograder", "pathlib", "datetime", "zoneinfo"):
-            raise pickle.UnpicklingError(f"{module}.{name}")
-        return super().find_class(module, name)
+
+def _from_plain(kind: type, value: Any) -> Any:
+    if issubclass(kind, Path):
+        return path_from_text(value)
+    raise TypeError(kind.__name__)

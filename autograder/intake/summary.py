@@ -174,7 +174,7 @@ def summarise(
     matches = {}
     if class_list.students:  # whose one is depends on whose the others may be
         matches = class_list.match_all({entry.student: entry.origin for entry in submissions})
-    rows: Shelf[Row] = Shelf()
+    rows: Shelf[Row] = Shelf(Row)
     used: set[str] = set()
     for submission in submissions:
         key = submission.student
@@ -210,10 +210,11 @@ def _look_at_times(summary: Summary, trust_times: bool, unused: Collection[str])
     if not trust_times:
         withheld = watched if doubted else hints
         students = {row.submission.student for row in withheld}
-        summary.rows = Shelf(
+        withheld_rows = (
             replace(row, percent=0.0) if row.submission.student in students else row
             for row in summary.rows
         )
+        summary.rows = Shelf(Row, withheld_rows)
     marked = [row for row in summary.rows if row.origin.called_late and not _timed(row)]
     if marked:
         summary.warnings.append(

@@ -180,7 +180,7 @@ def snapshot(paths: Sequence[Path]) -> dict[Path, tuple[int, int]]:
 
 def snapshot_class(paths: Iterable[Path]) -> Shelf[tuple[Path, tuple[int, int]]]:
     """As `snapshot`, for the places of a class of any size: each file with its size and time."""
-    seen: Shelf[tuple[Path, tuple[int, int]]] = Shelf()
+    seen: Shelf[tuple[Path, tuple[int, int]]] = Shelf(tuple[Path, tuple[int, int]])
     last = None
     for path in paths:
         if path != last:  # what lies in one zip follows each other

@@ -219,7 +219,7 @@ class MistakesMade:
             known = kind.known_mistakes(question, mark)
             for name in known or kind.other_mistakes(question, mark):
                 key = (question.id, name, bool(known))
-                self._made.setdefault(key, Shelf()).append(record.student)
+                self._made.setdefault(key, Shelf(str)).append(record.student)
 
     def mistakes(self) -> list[Mistake]:
         """All of them, in the order of `common_mistakes`."""

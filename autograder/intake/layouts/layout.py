@@ -56,7 +56,7 @@ class Found:
 
     layout: str = ""
     rule: str = ""
-    entries: Shelf[Entry] = field(default_factory=Shelf)
+    entries: Shelf[Entry] = field(default_factory=lambda: Shelf(Entry))
     passed_over: list[PassedOver] = field(default_factory=list)
     warnings: list[str] = field(default_factory=list)
 
