@@ -7,6 +7,7 @@ The grader uses it directly; a student's notebook talks to it in a process of it
 from __future__ import annotations
 
 from collections.abc import Collection
+from dataclasses import replace
 from typing import Any
 
 from autograder.course import Course
@@ -14,6 +15,9 @@ from autograder.kinds.drawn import Drawn
 from autograder.kinds.registry import kind_of
 from autograder.marking import Mark
 from autograder.marking.draw import draw
+
+OTHER_NUMBERS = "right for other numbers"  # the name of the mistake
+MOST_TRIED = 500  # variants that a wrong response is compared with
 
 
 class Marker:
@@ -59,6 +63,27 @@ class Marker:
         Nothing in it is trusted. ``understood`` is what it looked like before any probe was sent.
         """
         question = self.course.question(id)
-        return kind_of(question).mark(
+        mark = kind_of(question).mark(
             question, self.course.key[id], self.drawn(id), response, understood
         )
+        if id in self.course.variants and mark.status == "wrong" and mark.alternative is None:
+            return self._of_other_numbers(mark, response, understood) or mark
+        return mark
+
+    def _of_other_numbers(self, mark: Mark, response: Any, understood: str) -> Mark | None:
+        """The mark with a name, if the response is right for the numbers of somebody else."""
+        variables = self.course.varied[mark.question].variables
+        assert variables is not None
+        for variant in range(min(variables.count, MOST_TRIED)):
+            course = self.course.with_variants({mark.question: variant})
+            question = course.question(mark.question)
+            drawn = draw(question, course.key[question.id], self.seed, course.root)
+            other = kind_of(question).mark(
+                question, course.key[question.id], drawn, response, understood
+            )
+            if other.status == "right":
+                numbers = variables.numbers(variant)
+                told = ", ".join(f"{name} = {value:g}" for name, value in numbers.items())
+                feedback = f"That is right for other numbers ({told}); yours stand in the question."
+                return replace(mark, alternative=OTHER_NUMBERS, feedback=feedback)
+        return None
