@@ -118,6 +118,8 @@ class Course:
         All that does not vary is shared with this one.
         """
         changed = {id for id in self.varied if variants.get(id, 0) != self.variants.get(id, 0)}
+        if not changed:
+            return self
         chapters = tuple(
             replace(
                 chapter,
@@ -131,10 +133,11 @@ class Course:
             for chapter in self.chapters
         )
         made = replace(self, chapters=chapters, variants=dict(variants))
+        if self.has_key:
+            made.__dict__["answer_tables"] = self.answer_tables
         if "key" in self.__dict__:
             varied = {id: made._answer(made.question(id)) for id in changed}
             made.__dict__["key"] = {**self.key, **varied}
-        made.__dict__["answer_tables"] = self.__dict__.get("answer_tables", self.answer_tables)
         return made
 
     def for_student(self, student: str) -> Course:

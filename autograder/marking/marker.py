@@ -11,6 +11,8 @@ from dataclasses import replace
 from typing import Any
 
 from autograder.course import Course
+from autograder.course.questions import Question
+from autograder.kinds.answer import Answer
 from autograder.kinds.drawn import Drawn
 from autograder.kinds.registry import kind_of
 from autograder.marking import Mark
@@ -27,6 +29,7 @@ class Marker:
         self.course = course
         self.seed = seed
         self._drawn: dict[str, Drawn] = {}
+        self._variants: dict[str, list[tuple[Question, Answer, Drawn]]] = {}
 
     def drawn(self, id: str) -> Drawn:
         """What is sent to the student's process for a question, and what to expect of it.
@@ -49,6 +52,7 @@ class Marker:
         if course is self.course:
             return self
         own = Marker(course, self.seed)
+        own._variants = self._variants
         own._drawn = {id: drawn for id, drawn in self._drawn.items() if id not in course.variants}
         return own
 
@@ -70,17 +74,25 @@ class Marker:
             return self._of_other_numbers(mark, response, understood) or mark
         return mark
 
+    def _all_variants(self, id: str) -> list[tuple[Question, Answer, Drawn]]:
+        """The variants of a question, made once for all students."""
+        if id not in self._variants:
+            variables = self.course.varied[id].variables
+            assert variables is not None
+            made = []
+            for variant in range(min(variables.count, MOST_TRIED)):
+                course = self.course.with_variants({id: variant})
+                question, answer = course.question(id), course.key[id]
+                made.append((question, answer, draw(question, answer, self.seed, course.root)))
+            self._variants[id] = made
+        return self._variants[id]
+
     def _of_other_numbers(self, mark: Mark, response: Any, understood: str) -> Mark | None:
         """The mark with a name, if the response is right for the numbers of somebody else."""
         variables = self.course.varied[mark.question].variables
         assert variables is not None
-        for variant in range(min(variables.count, MOST_TRIED)):
-            course = self.course.with_variants({mark.question: variant})
-            question = course.question(mark.question)
-            drawn = draw(question, course.key[question.id], self.seed, course.root)
-            other = kind_of(question).mark(
-                question, course.key[question.id], drawn, response, understood
-            )
+        for variant, (question, answer, drawn) in enumerate(self._all_variants(mark.question)):
+            other = kind_of(question).mark(question, answer, drawn, response, understood)
             if other.status == "right":
                 numbers = variables.numbers(variant)
                 told = ", ".join(f"{name} = {value:g}" for name, value in numbers.items())
