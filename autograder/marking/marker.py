@@ -6,6 +6,7 @@ The grader uses it directly; a student's notebook talks to it in a process of it
 
 from __future__ import annotations
 
+import threading
 from collections.abc import Collection
 from dataclasses import replace
 from typing import Any
@@ -16,20 +17,38 @@ from autograder.kinds.answer import Answer
 from autograder.kinds.drawn import Drawn
 from autograder.kinds.registry import kind_of
 from autograder.marking import Mark
-from autograder.marking.draw import draw
+from autograder.marking.draw import draw, seed_of_set
 
 OTHER_NUMBERS = "right for other numbers"  # the name of the mistake
 MOST_TRIED = 500  # variants that a wrong response is compared with
 
 
 class Marker:
-    """The key of a course, ready to mark; the same seed draws the same hidden inputs."""
+    """The key of a course, ready to mark; the same seed draws the same hidden inputs.
 
-    def __init__(self, course: Course, seed: int) -> None:
+    ``tells`` is as in `Drawn`: leave it out only where feedback does not go back to students.
+    """
+
+    def __init__(self, course: Course, seed: int, tells: bool = True) -> None:
         self.course = course
         self.seed = seed
+        self._tells = tells
         self._drawn: dict[str, Drawn] = {}
         self._variants: dict[str, list[tuple[Question, Answer, Drawn]]] = {}
+        self._of_all: Marker | None = None  # of whom this is the marker of one student
+        self._sets: dict[int, Marker] = {}
+        self._lock, self._drawing = threading.Lock(), threading.Lock()
+
+    def with_set(self, number: int) -> Marker:
+        """A marker for another set of hidden inputs, as `set_number` counts them."""
+        if number == 0:
+            return self
+        with self._lock:
+            if number not in self._sets:
+                self._sets[number] = Marker(
+                    self.course, seed_of_set(self.seed, number), self._tells
+                )
+            return self._sets[number]
 
     def drawn(self, id: str) -> Drawn:
         """What is sent to the student's process for a question, and what to expect of it.
@@ -38,9 +57,15 @@ class Marker:
             UsageError: if there is no such question.
             CourseError: if its key is broken.
         """
+        if self._of_all is not None and id not in self.course.variants:
+            return self._of_all.drawn(id)
         if id not in self._drawn:
-            question = self.course.question(id)
-            self._drawn[id] = draw(question, self.course.key[id], self.seed, self.course.root)
+            with self._drawing:  # once, whichever of several threads asks first
+                if id not in self._drawn:
+                    question = self.course.question(id)
+                    answer = self.course.key[id]
+                    drawn = draw(question, answer, self.seed, self.course.root)
+                    self._drawn[id] = replace(drawn, tells=self._tells)
         return self._drawn[id]
 
     def for_student(self, student: str) -> Marker:
@@ -51,9 +76,8 @@ class Marker:
         course = self.course.for_student(student)
         if course is self.course:
             return self
-        own = Marker(course, self.seed)
-        own._variants = self._variants
-        own._drawn = {id: drawn for id, drawn in self._drawn.items() if id not in course.variants}
+        own = Marker(course, self.seed, self._tells)
+        own._variants, own._of_all = self._variants, self
         return own
 
     def prepare(self, ids: Collection[str] | None = None) -> None:
