@@ -7,12 +7,14 @@ The grader uses it directly; a student's notebook talks to it in a process of it
 from __future__ import annotations
 
 from collections.abc import Collection
+from dataclasses import replace
 from typing import Any
 
 from autograder.course import Course
 from autograder.kinds.drawn import Drawn
 from autograder.kinds.registry import kind_of
 from autograder.marking import Mark
+from autograder.marking.around import around
 from autograder.marking.draw import draw
 
 
@@ -33,7 +35,8 @@ class Marker:
         """
         if id not in self._drawn:
             question = self.course.question(id)
-            self._drawn[id] = draw(question, self.course.key[id], self.seed, self.course.root)
+            drawn = draw(question, self.course.key[id], self.seed, self.course.root)
+            self._drawn[id] = replace(drawn, around=around(self.course, question))
         return self._drawn[id]
 
     def prepare(self, ids: Collection[str] | None = None) -> None:
