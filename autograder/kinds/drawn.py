@@ -22,6 +22,9 @@ class Around:
     numbers: Mapping[str, float] = field(default_factory=dict)
 
 
+NOTHING_AROUND = Around()
+
+
 @dataclass(frozen=True)
 class Drawn:
     """What was drawn for one question: ``probe`` crosses to the student, the rest never does.
@@ -36,7 +39,7 @@ class Drawn:
     probe: dict[str, Any]
     expected: Any = None
     shows_first: bool = False
-    around: Around = Around()
+    around: Around = NOTHING_AROUND
 
     @property
     def opening(self) -> dict[str, Any] | None:

@@ -9,7 +9,7 @@ from decimal import Decimal
 
 import numpy as np
 
-from autograder.kinds.drawn import Around
+from autograder.kinds.drawn import NOTHING_AROUND, Around
 from autograder.kinds.number.answer import NumberAnswer
 from autograder.kinds.number.question import Number
 from autograder.kinds.number.variations import variations
@@ -23,7 +23,7 @@ _OF_PAIRS = ("sign turned", "in percent", "complement", "twice", "half", "square
 
 
 def diagnose_number(
-    question: Number, answer: NumberAnswer, value: float, around: Around = Around()
+    question: Number, answer: NumberAnswer, value: float, around: Around = NOTHING_AROUND
 ) -> Diagnosis | None:
     """The simplest way from what is right to a value, if one fits the digits that were given."""
     right = [entry.value for entry in answer.alternatives if not entry.is_mistake]
@@ -57,14 +57,15 @@ def diagnose_number(
         return None
     if found:
         return next(iter(found.values()))
-    relations = [relation for relation in RELATIONS if relation.name in _OF_PAIRS]
+    if question.integer:
+        return None
+    relations = [r for r in RELATIONS if r.name in (_PLAINEST if coarse else _OF_PAIRS)]
     for first, second in itertools.permutations(relations, 2):
         for expected in right:
             with np.errstate(all="ignore"):
                 wrong = float(second.change(first.change(np.asarray(expected, dtype=float))))
-            if not question.integer and _is_near(question, wrong, value):
-                if not _is_right(question, right, wrong):
-                    return first.and_then(second)
+            if _is_near(question, wrong, value) and not _is_right(question, right, wrong):
+                return first.and_then(second)
     return None
 
 
@@ -80,7 +81,7 @@ def _simple(question: Number, right: list[float]) -> Iterator[tuple[Diagnosis, f
 
 
 def _roundings(question: Number, right: list[float]) -> Iterator[tuple[float, str]]:
-    """What is right with fewer decimals than are asked for, or with the last one not the nearest."""
+    """What is right with fewer decimals than are asked for, or cut off, or rounded up."""
     for expected in right:
         for decimals in range(1, question.decimals or 0):
             yield round(expected, decimals), "rounded to fewer decimals than are asked for"
@@ -92,7 +93,7 @@ def _roundings(question: Number, right: list[float]) -> Iterator[tuple[float, st
 
 def _is_near(question: Number, wrong: float, value: float) -> bool:
     """Whether a value is a wrong one, as far as its digits go."""
-    if question.integer and wrong == round(wrong):
+    if question.integer and (value == round(value) or wrong == round(wrong)):
         return abs(wrong - value) <= question.tolerance
     near = _ENOUGH * abs(wrong)
     if _half_a_digit(value) <= 0.05 * abs(value):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from decimal import Decimal
 from typing import Any
 
-from autograder.kinds.drawn import Around
+from autograder.kinds.drawn import NOTHING_AROUND, Around
 from autograder.kinds.mark import Mark, status_for
 from autograder.kinds.number.answer import NumberAlternative, NumberAnswer
 from autograder.kinds.number.diagnosis import diagnose_number
@@ -17,7 +17,7 @@ def mark_number(
     answer: NumberAnswer,
     value: int | float,
     understood: str = "",
-    around: Around = Around(),
+    around: Around = NOTHING_AROUND,
 ) -> Mark:
     """The first alternative within its tolerance decides.
 

@@ -10,6 +10,7 @@ import ast
 import copy
 import itertools
 import math
+import operator
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
@@ -17,6 +18,49 @@ import numpy as np
 
 _MODULES = {"math": math, "np": np}
 _MOST_NODES = 60  # of a formula; a longer one is a program
+_FUNCTIONS = frozenset(
+    [
+        "acos",
+        "asin",
+        "atan",
+        "atan2",
+        "ceil",
+        "comb",
+        "cos",
+        "degrees",
+        "exp",
+        "factorial",
+        "floor",
+        "hypot",
+        "log",
+        "log10",
+        "log1p",
+        "log2",
+        "perm",
+        "pow",
+        "radians",
+        "sin",
+        "sqrt",
+        "tan",
+        "abs",
+        "arccos",
+        "arcsin",
+        "arctan",
+        "arctan2",
+        "log1p",
+        "power",
+    ]
+)
+_BUILTINS: dict[str, Callable[..., Any]] = {"abs": abs, "round": round, "min": min, "max": max}
+_ARITHMETIC: dict[type[ast.operator], Callable[[Any, Any], Any]] = {
+    ast.Add: operator.add,
+    ast.Sub: operator.sub,
+    ast.Mult: operator.mul,
+    ast.Div: operator.truediv,
+    ast.FloorDiv: operator.floordiv,
+    ast.Mod: operator.mod,
+    ast.Pow: operator.pow,
+}
 _OTHER_LOGARITHMS = (("log10", "common"), ("log2", "binary"))
 _LARGEST_POWER = 1e4
 
@@ -51,18 +95,18 @@ def variations(code: str, numbers: Mapping[str, float]) -> Iterator[tuple[str, s
         if part not in (0, 1):
             words = "one was divided by a part of the formula, and the rest left out"
             yield from _told("one over a part", words, 1 / part)
-        for digits, how in itertools.product((1, 2, 3), (round, _cut)):
+        for digits, how in itertools.product((1, 2, 3), _SHORTER):
             early = ast.Constant(how(part, digits))
             yield from _told(
                 "rounded too early",
                 "a number was rounded in the middle of the calculation; round at the end only",
-                _value(_changed(tree, position, lambda _, new=early: new), numbers),
+                _value(_changed(tree, position, _always(early)), numbers),
             )
     for node in nodes:
-        if isinstance(node, ast.Constant) and isinstance(node.value, int | float):
-            if node.value not in (0, 1):
-                words = f"the result was multiplied by {node.value}"
-                yield from _told("multiplied once more", words, right * node.value)
+        match node:
+            case ast.Constant(value=int() | float() as factor) if factor not in (0, 1):
+                words = f"the result was multiplied by {factor}"
+                yield from _told("multiplied once more", words, right * factor)
 
 
 def _told(name: str, sentence: str, value: float | None) -> Iterator[tuple[str, str, float]]:
@@ -139,7 +183,7 @@ def _logarithm(other: str) -> Change:
     def change(node: ast.AST) -> ast.expr | None:
         match node:
             case ast.Call(func=ast.Attribute(value=module, attr="log"), args=[argument]):
-                return ast.Call(ast.Attribute(module, other), [argument], [])
+                return ast.Call(ast.Attribute(module, other, ast.Load()), [argument], [])
         return None
 
     return change
@@ -152,8 +196,8 @@ def _rounding(other: str | None) -> Change:
                 if other is None:
                     return argument
                 if other == "round":
-                    return ast.Call(ast.Name("round"), [argument], [])
-                return ast.Call(ast.Attribute(module, other), [argument], [])
+                    return ast.Call(ast.Name("round", ast.Load()), [argument], [])
+                return ast.Call(ast.Attribute(module, other, ast.Load()), [argument], [])
         return None
 
     return change
@@ -176,7 +220,7 @@ def _power_of_arguments(node: ast.AST) -> ast.expr | None:
 def _ordered(node: ast.AST) -> ast.expr | None:
     match node:
         case ast.Call(func=ast.Attribute(value=module, attr="comb"), args=args):
-            return ast.Call(ast.Attribute(module, "perm"), args, [])
+            return ast.Call(ast.Attribute(module, "perm", ast.Load()), args, [])
     return None
 
 
@@ -219,30 +263,63 @@ def _changed(tree: ast.expr, position: int, change: Change) -> ast.expr | None:
 
 
 def _value(tree: ast.AST | None, numbers: Mapping[str, float]) -> float | None:
-    if tree is None or _is_huge(tree, numbers):
+    """What a formula comes to; None for one that has no value, or is more than arithmetic."""
+    if tree is None:
         return None
-    expression = ast.fix_missing_locations(ast.Expression(tree))  # type: ignore[arg-type]
-    names: dict[str, Any] = {**_MODULES, **numbers}
     try:
         with np.errstate(all="ignore"):
-            value = float(eval(compile(expression, "<formula>", "eval"), names))
-    except Exception:  # a formula that was put together wrongly need not have a value
+            value = float(_evaluated(tree, numbers))
+    except (ArithmeticError, ValueError, TypeError, _NoFormula):
         return None
     return value if math.isfinite(value) else None
 
 
-def _is_huge(tree: ast.AST, numbers: Mapping[str, float]) -> bool:
-    """Whether a whole number in it is raised to so high a power that it would take long."""
-    for node in ast.walk(tree):
-        if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Pow):
-            exponent = node.right
-            known = exponent.value if isinstance(exponent, ast.Constant) else None
-            if isinstance(exponent, ast.Name):
-                known = numbers.get(exponent.id)
-            if isinstance(known, int | float) and abs(known) > _LARGEST_POWER:
-                return True
-    return False
+class _NoFormula(Exception):
+    """Code of the key that is more than a formula."""
+
+
+def _evaluated(node: ast.AST, numbers: Mapping[str, float]) -> float:
+    match node:
+        case ast.Constant(value=int() | float() as value):
+            return value
+        case ast.Name(id=name) if name in numbers:
+            return numbers[name]
+        case ast.UnaryOp(op=ast.USub(), operand=operand):
+            return -_evaluated(operand, numbers)
+        case ast.BinOp(left=left, op=op, right=right) if type(op) in _ARITHMETIC:
+            one, other = _evaluated(left, numbers), _evaluated(right, numbers)
+            if isinstance(op, ast.Pow) and abs(other) > _LARGEST_POWER:
+                raise _NoFormula  # a whole number of so many digits takes long
+            found: float = _ARITHMETIC[type(op)](one, other)
+            return found
+        case ast.Call(func=ast.Name(id=name), args=args, keywords=[]) if name in _BUILTINS:
+            return float(_BUILTINS[name](*(_evaluated(a, numbers) for a in args)))
+        case ast.Call(
+            func=ast.Attribute(value=ast.Name(id=module), attr=name), args=args, keywords=[]
+        ) if module in _MODULES and name in _FUNCTIONS:
+            given = [_evaluated(a, numbers) for a in args]
+            if any(abs(value) > 1e12 for value in given) and name in ("comb", "perm", "factorial"):
+                raise _NoFormula
+            if name in ("comb", "perm") and max(given[1:], default=0) > _LARGEST_POWER:
+                raise _NoFormula
+            if name == "factorial" and given[0] > _LARGEST_POWER:
+                raise _NoFormula
+            result: float = getattr(_MODULES[module], name)(*given)
+            return result
+        case ast.Attribute(value=ast.Name(id=module), attr="pi" | "e" as name) if module in (
+            _MODULES
+        ):
+            constant: float = getattr(_MODULES[module], name)
+            return constant
+    raise _NoFormula
 
 
 def _cut(value: float, digits: int) -> float:
     return math.floor(value * 10**digits) / 10**digits
+
+
+_SHORTER: tuple[Callable[[float, int], float], ...] = (round, _cut)
+
+
+def _always(new: ast.expr) -> Change:
+    return lambda _: new
