@@ -62,10 +62,16 @@ def questions_schema() -> dict[str, Any]:
 
 def answers_schema() -> dict[str, Any]:
     """What may stand in a file of answers: for each question its key."""
-    types = [kind_named(name).answer_type for name in sorted(kind_names())]
+    kinds = [kind_named(name) for name in sorted(kind_names())]
+    types = [kind.answer_type for kind in kinds]
     (*references,), parts = msgspec.json.schema_components(types, ref_template="#/$defs/{name}")
-    for kind in types:
-        parts[kind.__name__]["properties"].pop("id", None)
+    for kind in kinds:
+        fields = parts[kind.answer_type.__name__]["properties"]
+        fields.pop("id", None)
+        alternative = fields["alternative"]["items"]["$ref"].rpartition("/")[2]
+        for name in kind.formulas:  # of a question's variables, or plain values
+            plain = parts[alternative]["properties"][name]
+            parts[alternative]["properties"][name] = {"anyOf": [plain, {"type": "string"}]}
     return {
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         "title": "The key to a chapter",

@@ -59,13 +59,14 @@ def grade_and_report(
     before = {record.student: record for record in book.records()}
     isolation: Isolation = "none" if parsed.no_sandbox else "auto"
     run = _choose_run(parsed, course, book, regrade, isolation)
-    marker = Marker(course, run.seed)
+    marker = Marker(course, run.seed, tells=False)
     known = None
     if questions is None and not parsed.dry_run:
         known = _known(book, run, course, submissions)
     graded: list[Graded] = []
     if parsed.no_sandbox:
         warn("Student code runs with your own rights (--no-sandbox); every report says so.")
+    works = book.works() if parsed.dry_run else book.note_works()
     handed_in = snapshot([piece.path for entry in submissions for piece in entry.pieces])
     began = time.monotonic()
     interrupted = False
@@ -91,7 +92,7 @@ def grade_and_report(
         with spread:
             try:
                 with _journal(parsed, book, regrade) as journal, _ended_orderly():
-                    grade_class(submissions, course, spread, done, questions, known, journal)
+                    grade_class(submissions, course, spread, done, questions, known, journal, works)
             except KeyboardInterrupt:
                 interrupted = True
             finally:

@@ -5,8 +5,11 @@ What an answer has beyond an explanation, code and alternatives is the business 
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
+from autograder.course.filling import fill
+from autograder.errors import CourseError
 from autograder.kinds.answer import Alternative, Answer
 from autograder.kinds.question import Question
 from autograder.kinds.registry import kind_of
@@ -15,8 +18,15 @@ from autograder.kinds.strict import Place, read_table
 __all__ = ["Alternative", "Answer", "answer_from_table"]
 
 
-def answer_from_table(table: dict[str, Any], question: Question, text: str = "") -> Answer:
+def answer_from_table(
+    table: dict[str, Any],
+    question: Question,
+    text: str = "",
+    numbers: Mapping[str, int | float] | None = None,
+) -> Answer:
     """Read the key to one question; ``text`` is that of its file, for the lines of errors.
+
+    ``numbers`` are those of the question's variant, if it has variables.
 
     Raises:
         CourseError: if the table does not fit the question; the sentence says where and why.
@@ -24,6 +34,11 @@ def answer_from_table(table: dict[str, Any], question: Question, text: str = "")
     words = f"the answer to {question.id} in solutions/answers/{question.chapter}.toml"
     place = Place(words, text, (question.id,))
     kind = kind_of(question)
+    if numbers is not None and isinstance(table, dict):
+        try:
+            table = fill(table, numbers, kind.formulas)
+        except CourseError as error:
+            raise place.error(str(error).rstrip(".")) from None
     answer = read_table(table, kind.answer_type, place, id=question.id)
     try:
         kind.check_answer(question, answer)

@@ -31,6 +31,7 @@ class Order:
     student: str
     contents: Contents
     seed: int
+    set_number: int
     questions: frozenset[str] | None
 
     def submission(self) -> Submission:
@@ -53,6 +54,7 @@ def pack_order(task: Task, seed: int, questions: Collection[str] | None) -> byte
             "notes": contents.notes,
             "fingerprint": contents.fingerprint,
             "seed": seed,
+            "set": task.set_number,
             "questions": None if questions is None else sorted(questions),
         }
     )
@@ -73,6 +75,7 @@ def unpack_order(data: bytes) -> Order:
         fields["student"],
         contents,
         fields["seed"],
+        fields["set"],
         None if questions is None else frozenset(questions),
     )
 

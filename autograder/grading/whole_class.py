@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 
 from autograder.course import Course
 from autograder.errors import AutograderError, machine_error
@@ -11,6 +11,7 @@ from autograder.grading.journal import PASSED_BY, STOPPED_THE_GRADER, Watch
 from autograder.grading.spread import Spread, Task
 from autograder.intake.handout import handout_of
 from autograder.intake.submissions import Submission, Unreadable, read_submission
+from autograder.marking.draw import set_number
 
 
 def grade_class(
@@ -21,12 +22,14 @@ def grade_class(
     questions: Collection[str] | None = None,
     known: Callable[[str, str], Graded | None] | None = None,
     watch: Watch | None = None,
+    works: Mapping[str, Sequence[str]] | None = None,
 ) -> None:
     """Grade submissions on ``spread``; call ``done`` with each as soon as it is ready.
 
     ``done`` is called on the calling thread, and so is ``known``, which returns what the work of a
     student with some fingerprint was graded before: it is not run again. Only ``questions`` are
-    marked, if they are given.
+    marked, if they are given. ``works`` are the fingerprints of what each student handed in until
+    now: other work is marked with other hidden inputs.
 
     What may have been this machine's doing, and what was at work when an earlier run died, is
     graded last and alone. What the grader died of is passed by.
@@ -35,7 +38,7 @@ def grade_class(
         AutograderError: if the course or a machine is broken. What was graded until then was
             given to ``done``.
     """
-    run = _Run(course, spread, done, questions, known, watch)
+    run = _Run(course, spread, done, questions, known, watch, works or {})
     deaths = {entry.student: watch.deaths(entry) if watch else 0 for entry in submissions}
     together = [entry for entry in submissions if not deaths[entry.student]]
     for count, submission in enumerate(together, 1):
@@ -64,9 +67,11 @@ class _Run:
         questions: Collection[str] | None,
         known: Callable[[str, str], Graded | None] | None,
         watch: Watch | None,
+        works: Mapping[str, Sequence[str]],
     ) -> None:
         self._course, self._spread, self._done = course, spread, done
         self._questions, self._known, self._watch = questions, known, watch
+        self._works = works
         self._handout = handout_of(course)
         self._last_try: set[str] = set()
         self.doubtful: list[Submission] = []
@@ -113,7 +118,11 @@ class _Run:
         """What is to be graded, or what is said of a submission that cannot be read."""
         course, questions = self._course, self._questions
         try:
-            return Task(submission, read_submission(submission, course.settings, self._handout))
+            contents = read_submission(submission, course.settings, self._handout)
+            works = self._works.get(submission.student, ())
+            return Task(
+                submission, contents, set_number(submission.student, contents.fingerprint, works)
+            )
         except Unreadable as reason:
             return unreadable(submission, course, str(reason), questions)
         except AutograderError:

@@ -39,6 +39,8 @@ class Kind(ABC, Generic[Q, A]):
     # The module whose ``evaluate(response, probe)`` runs beside a student's code; without one it is
     # ``autograder.kinds.NAME.inside.evaluate``.
     inside: ClassVar[str] = ""
+    # The fields of its key that are formulas of a question's variables, where it has any.
+    formulas: ClassVar[tuple[str, ...]] = ()
     # Whether each part of a response is a small question of its own, with its own feedback, so that
     # what is wrong is told by the part and not by the alternative that matched.
     parts_stand_alone: ClassVar[bool] = False

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from typing import Annotated, ClassVar
 
-from msgspec import Meta
+from msgspec import Meta, field
 
+from autograder.kinds.variables import Number, Steps
 from autograder.kinds.written import ID, Points, Text, Written
 
 
@@ -25,6 +26,15 @@ class Question(Written, frozen=True, kw_only=True, tag_field="kind"):
     hints: Annotated[
         tuple[Text, ...], Meta(min_length=1, description="each a little more than the one before")
     ]
+    story: Annotated[str, Meta(description="the story of the chapter whose numbers it has")] = ""
+    variables: Annotated[
+        dict[str, tuple[Number, ...] | Steps], Meta(description="numbers of its own that vary")
+    ] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if self.story and self.variables:
+            raise ValueError("it has the numbers of a story; remove story or variables")
 
     @property
     def points(self) -> float:

@@ -16,7 +16,7 @@ def around(course: Course, question: Question) -> Around:
     others = [] if chapter is None else [q for q in chapter.questions if q.id != question.id]
     return Around(
         tuple((other, course.key[other.id]) for other in others if other.kind == question.kind),
-        _numbers(course, question.chapter),
+        {**_numbers(course, question.chapter), **(course.numbers(question.id) or {})},
     )
 
 

@@ -27,9 +27,10 @@ def a_mask(points, threshold, iterations, min_points, rng):
     free, walls = np.ones(len(points), dtype=bool), []
     while free.sum() >= min_points:
         indices = np.flatnonzero(free)
-        line, inliers, _ = all_at_once(points[free], threshold, iterations, rng)
-        if len(inliers) < min_points:
+        consensus = all_at_once(points[free], threshold, iterations, rng)
+        if consensus is None or len(consensus.inliers) < min_points:
             return walls
+        line, inliers, _ = consensus
         walls.append([tuple(line), indices[inliers].tolist()])
         free[indices[inliers]] = False
     return walls
@@ -56,9 +57,10 @@ def labels(points, threshold, iterations, min_points, rng):
         left = np.where(label < 0)[0]
         if left.size < min_points:
             break
-        line, inliers, _ = all_at_once(points[left], threshold, iterations, rng)
-        if inliers.size < min_points:
+        consensus = all_at_once(points[left], threshold, iterations, rng)
+        if consensus is None or consensus.inliers.size < min_points:
             break
+        line, inliers, _ = consensus
         label[left[inliers]] = len(lines)
         lines.append(line)
     return [(line, np.flatnonzero(label == number)) for number, line in enumerate(lines)]

@@ -5,7 +5,7 @@ import ast
 import pytest
 
 from autograder.authoring.proof import prove_course
-from autograder.authoring.proof_by_mutants import tried_styles
+from autograder.authoring.proof_by_mutants import prove_by_mutants, tried_styles
 from autograder.marking.mutants.edits import edited
 from autograder.marking.mutants.formula_edits import edited_formulas
 
@@ -73,7 +73,6 @@ def test_a_mutant_that_no_case_tells_is_shown_with_its_change(tiny_course):
 @pytest.fixture
 def variants(tiny_course):
     """The folder for right work in other clothes; all of it is right."""
-    tiny_course.write_notebooks()
     folder = tiny_course.root / "solutions/variants"
     folder.mkdir()
     lines = ["from numpy import mean", "def _share(weights):", "    return 1 / len(weights)"]
@@ -94,7 +93,7 @@ def variants(tiny_course):
 
 
 def test_right_work_in_other_clothes_is_found_tried_and_counted(tiny_course, variants):
-    assert prove_course(tiny_course.root) == []
+    assert prove_by_mutants(tiny_course.load()) == []
     assert list(tried_styles(tiny_course.load())) == [
         "Q1.4 is tried with right work in 6 other styles.",
         "Q1.5 is tried with right work in 4 other styles.",
@@ -105,29 +104,28 @@ def test_right_work_in_other_clothes_has_to_earn_everything(tiny_course, variant
     with (variants / "mean_weight.py").open("a") as stream:
         stream.write("\ndef total(weights):\n    return sum(weights)\n")
     tiny_course.replace("solutions/variants/typed.toml", "2*half", "half")
-    half, total = prove_course(tiny_course.root)
+    half, total = prove_by_mutants(tiny_course.load())
     assert half.startswith("Q1.4: the variant half must earn everything, but with seed 1 it gets")
     assert total.startswith("Q1.5: the variant total must earn everything, but with seed 1 it gets")
 
 
-def test_a_variant_that_never_ends_is_told_and_does_not_hold_up_the_others(
-    tiny_course, variants, monkeypatch
-):
+def test_a_variant_that_never_ends_is_told_and_does_not_hold_up_the_others(tiny_course, variants):
     with (variants / "mean_weight.py").open("a") as stream:
         stream.write("\ndef slow(weights):\n    while True:\n        pass\n")
-    (problem,) = prove_course(tiny_course.root)
+    (problem,) = prove_by_mutants(tiny_course.load())
     assert "the variant slow must earn everything, but with seed 1 it takes more than" in problem
 
 
 def test_too_few_styles_and_files_for_no_question_are_told(tiny_course, variants):
     (variants / "typed.toml").write_text('"Q1.4" = ["2*a + 2*b"]')
     (variants / "median.py").write_text("")
-    unknown, few = prove_course(tiny_course.root)
+    unknown, few = prove_by_mutants(tiny_course.load())
     assert "median.py has the name of no question's function" in unknown
     assert few == "Q1.4: solutions/variants has right work in 1 other styles; write at least 6."
 
 
 def test_variants_of_a_question_that_is_not_there_are_an_error(tiny_course, variants):
+    tiny_course.write_notebooks()
     (variants / "typed.toml").write_text('"Q9.9" = ["1"]')
     (problem,) = prove_course(tiny_course.root)
     assert problem == "solutions/variants/typed.toml has 'Q9.9', which is not a question."

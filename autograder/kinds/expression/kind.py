@@ -18,10 +18,10 @@ from autograder.kinds.expression.answer import (
     ExpressionAnswer,
     check_expression,
 )
-from autograder.kinds.expression.formula import evaluate_formula
 from autograder.kinds.expression.marking import hidden_points, mark_expression
 from autograder.kinds.expression.question import Expression
 from autograder.kinds.expression.trial import ExpressionTrial
+from autograder.kinds.formula import evaluate_formula
 from autograder.kinds.mark import Mark
 from autograder.kinds.typed import assign_if_open
 from autograder.marking.mutants.mutant import Trial

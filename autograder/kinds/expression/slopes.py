@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from autograder.kinds.expression.formula import evaluate_formula
+from autograder.kinds.formula import evaluate_formula
 
 _STEP = 1e-3
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(20)

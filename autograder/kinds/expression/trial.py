@@ -8,9 +8,9 @@ import numpy as np
 
 from autograder.errors import CourseError
 from autograder.kinds.expression.answer import ExpressionAnswer
-from autograder.kinds.expression.formula import evaluate_formula
 from autograder.kinds.expression.marking import hidden_points, mark_expression, same_values
 from autograder.kinds.expression.question import Expression
+from autograder.kinds.formula import evaluate_formula
 from autograder.marking.mutants.formula_edits import edited_formulas
 from autograder.marking.mutants.mutant import Trial
 

@@ -47,7 +47,8 @@ class FunctionKind(CodeKind[Function, FunctionAnswer]):
         response: dict[str, Any],
         understood: str,
     ) -> Mark | None:
-        return mark_function(question, answer, drawn.expected, response.get("outcomes"))
+        outcomes = response.get("outcomes")
+        return mark_function(question, answer, drawn.expected, outcomes, drawn.tells)
 
     def example(self, drawn: Drawn) -> tuple[dict[str, Any], Any] | None:
         case, outcome = drawn.expected.cases[0], drawn.expected.outcomes[0]

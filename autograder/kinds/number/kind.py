@@ -22,6 +22,7 @@ class NumberKind(CodeKind[Number, NumberAnswer]):
 
     name = "number"
     has_field = True
+    formulas = ("value", "tolerance")
     question_type = Number
     answer_type = NumberAnswer
 
