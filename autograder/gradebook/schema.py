@@ -149,7 +149,8 @@ def readable_errors(path: Path) -> Iterator[None]:
         if error.sqlite_errorcode == sqlite3.SQLITE_ERROR:
             raise GradebookError(
                 f"{path} cannot be read as a gradebook: its tables are not those of the "
-                f"schema that it names ({error}); restore it from a copy, or move it away and grade again."
+                f"schema that it names ({error}); restore it from a copy, or move it away and "
+                "grade again."
             ) from None
         raise GradebookError(
             f"{path} cannot be used now ({error}); if another autograder is writing there, wait "
