@@ -17,6 +17,7 @@ from autograder.kinds.answer import Answer
 from autograder.kinds.drawn import Drawn
 from autograder.kinds.registry import kind_of
 from autograder.marking import Mark
+from autograder.marking.around import around
 from autograder.marking.draw import draw, seed_of_set
 
 OTHER_NUMBERS = "right for other numbers"  # the name of the mistake
@@ -65,7 +66,8 @@ class Marker:
                     question = self.course.question(id)
                     answer = self.course.key[id]
                     drawn = draw(question, answer, self.seed, self.course.root)
-                    self._drawn[id] = replace(drawn, tells=self._tells)
+                    near = around(self.course, question)
+                    self._drawn[id] = replace(drawn, tells=self._tells, around=near)
         return self._drawn[id]
 
     def for_student(self, student: str) -> Marker:

@@ -26,6 +26,7 @@ def replacing(path: Path) -> Iterator[Path]:
     unfinished = path.with_name(path.name + ".tmp")
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
+        unfinished.unlink(missing_ok=True)  # it may be a link that somebody has put there
         try:
             yield unfinished
             os.replace(unfinished, path)
