@@ -13,7 +13,7 @@ from typing import Any
 
 from autograder.gradebook.lookup import find_record
 from autograder.gradebook.record import Attempt, Note, Override, Record
-from autograder.gradebook.schema import connect, readable_errors
+from autograder.gradebook.schema import connect, readable_entries, readable_errors
 from autograder.grading.graded import Graded
 from autograder.intake.origin import Origin, path_from_text, path_to_text
 from autograder.intake.submissions import Submission
@@ -165,13 +165,17 @@ class Gradebook:
         if not rows or not {question for (question,) in marked} >= set(questions):
             return None
         path, status, notes, seconds, origin = rows[0]
-        marks = self._marks("WHERE student = ?", (student,))[student]
-        submission = Submission(student, path_from_text(path), origin=_origin(origin))
-        return Graded(submission, status, fingerprint, marks, tuple(json.loads(notes)), seconds)
+        with readable_entries(self.path):
+            marks = self._marks("WHERE student = ?", (student,))[student]
+            submission = Submission(student, path_from_text(path), origin=_origin(origin))
+            return Graded(submission, status, fingerprint, marks, tuple(json.loads(notes)), seconds)
 
     def works(self) -> dict[str, list[str]]:
         """The fingerprints of what each student handed in until now, in the order it first came."""
-        found: dict[str, list[str]] = json.loads(self.setting(_WORKS) or "{}")
+        with readable_entries(self.path):
+            found = {
+                key: list(value) for key, value in json.loads(self.setting(_WORKS) or "{}").items()
+            }
         for student, fingerprint in self._rows(
             "SELECT student, fingerprint FROM (SELECT student, fingerprint, 0 AS now, id "
             "FROM attempt UNION ALL SELECT student, fingerprint, 1, 0 FROM submission) "
@@ -190,7 +194,7 @@ class Gradebook:
 
     def records(self) -> list[Record]:
         """Everything about every student, by name, as of one moment."""
-        with readable_errors(self.path):
+        with readable_errors(self.path), readable_entries(self.path):
             self._db.execute("BEGIN")
             try:
                 return self._read_records()
@@ -365,7 +369,8 @@ class Gradebook:
             "FROM override ORDER BY id"
         ):
             student, question, points, reason, made_at, author, levels, response, disputed = row
-            said = json.loads(levels)
+            with readable_entries(self.path):
+                said = dict(json.loads(levels))
             entry = Override(student, question, points, reason, made_at, author, said, response)
             yield entry, bool(disputed)
 

@@ -9,6 +9,7 @@ from pathlib import Path
 from rich.console import Console
 
 from autograder.course import Course
+from autograder.errors import refuse_link
 from autograder.gradebook import ClassView, Gradebook, view_class
 from autograder.intake.class_list import ClassList
 from autograder.reports.class_csv import write_class_csv
@@ -32,6 +33,7 @@ class Options:
 def write_reports(course: Course, book: Gradebook, options: Options, console: Console) -> str:
     """Write the reports and say in half a sentence which ones."""
     out = options.out
+    refuse_link(out / "feedback")
     view = view_class(course, book, options.class_list or ClassList())
     records = view.records
     write_grades_csv(out / "grades.csv", course, records)
