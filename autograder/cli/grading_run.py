@@ -23,6 +23,7 @@ from autograder.errors import CourseError
 from autograder.gradebook import ClassView, Gradebook, Record, Run, view_class
 from autograder.grading.graded import Graded
 from autograder.grading.journal import Journal
+from autograder.grading.own_numbers import compare_numbers
 from autograder.grading.spread import Spread
 from autograder.grading.threads import Threads
 from autograder.grading.whole_class import grade_class
@@ -65,6 +66,7 @@ def grade_and_report(
     tally = Tally(book)
     if parsed.no_sandbox:
         warn("Student code runs with your own rights (--no-sandbox); every report says so.")
+    people = {row.submission.student: row.match.people for row in summary.rows if row.match.people}
     if not parsed.dry_run:
         book.note_works()
     # As it was before any student code ran; so are the times in the summary.
@@ -75,6 +77,7 @@ def grade_and_report(
         task = progress.add_task("", total=len(submissions))
 
         def done(entry: Graded) -> None:
+            entry = compare_numbers(entry, course, people.get(entry.submission.student, ()))
             tally.add(entry)
             if not parsed.dry_run:
                 book.store(entry, run, whole=questions is None)

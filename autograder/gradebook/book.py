@@ -13,7 +13,7 @@ from typing import Any
 
 from autograder.gradebook.lookup import find_record
 from autograder.gradebook.record import Attempt, Note, Override, Record
-from autograder.gradebook.schema import connect, readable_errors
+from autograder.gradebook.schema import connect, readable_entries, readable_errors
 from autograder.grading.graded import Graded
 from autograder.intake.origin import Origin, path_from_text, path_to_text
 from autograder.intake.submissions import Submission
@@ -165,9 +165,10 @@ class Gradebook:
         if not rows or not {question for (question,) in marked} >= set(questions):
             return None
         path, status, notes, seconds, origin = rows[0]
-        marks = self._marks("WHERE student = ?", (student,))[student]
-        submission = Submission(student, path_from_text(path), origin=_origin(origin))
-        return Graded(submission, status, fingerprint, marks, tuple(json.loads(notes)), seconds)
+        with readable_entries(self.path):
+            marks = self._marks("WHERE student = ?", (student,))[student]
+            submission = Submission(student, path_from_text(path), origin=_origin(origin))
+            return Graded(submission, status, fingerprint, marks, tuple(json.loads(notes)), seconds)
 
     def works(self, student: str) -> list[str]:
         """The fingerprints of what a student handed in until now, in the order they first came."""
@@ -212,11 +213,12 @@ class Gradebook:
             f"SELECT name, value FROM setting WHERE name IN ({', '.join('?' * len(students))})",
             tuple(_WORKS + student for student in students),
         )
-        return {name.removeprefix(_WORKS): json.loads(value) for name, value in rows}
+        with readable_entries(self.path):
+            return {name.removeprefix(_WORKS): list(json.loads(value)) for name, value in rows}
 
     def records(self) -> list[Record]:
         """Everything about every student, by name, as of one moment."""
-        with readable_errors(self.path):
+        with readable_errors(self.path), readable_entries(self.path):
             self._db.execute("BEGIN")
             try:
                 return self._read_records()
@@ -229,7 +231,8 @@ class Gradebook:
 
     def records_of(self, students: Sequence[str]) -> list[Record]:
         """Everything about some hundred students at most, in their order; absent ones are not."""
-        return self._read_records(students)
+        with readable_errors(self.path), readable_entries(self.path):
+            return self._read_records(students)
 
     def origins(self) -> Iterator[tuple[str, Path, Origin]]:
         """The key of every student, the path of the work and where it comes from, by name."""
@@ -239,8 +242,9 @@ class Gradebook:
             "ORDER BY student LIMIT 500",
             (last,),
         ):
-            for student, path, origin in rows:
-                yield student, path_from_text(path), _origin(origin)
+            with readable_entries(self.path):
+                found = [(key, path_from_text(path), _origin(text)) for key, path, text in rows]
+            yield from found
             last = rows[-1][0]
 
     def record(self, student: str) -> Record:
@@ -419,7 +423,8 @@ class Gradebook:
             values,
         ):
             student, question, points, reason, made_at, author, levels, response, disputed = row
-            said = json.loads(levels)
+            with readable_entries(self.path):
+                said = dict(json.loads(levels))
             entry = Override(student, question, points, reason, made_at, author, said, response)
             yield entry, bool(disputed)
 

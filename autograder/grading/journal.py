@@ -17,7 +17,7 @@ from collections import Counter
 from pathlib import Path
 from typing import Protocol
 
-from autograder.errors import machine_error
+from autograder.errors import machine_error, refuse_link
 from autograder.intake.submissions import Submission
 from autograder.intake.times import snapshot
 
@@ -60,6 +60,7 @@ class Journal:
         self._at_work: set[str] = set()
         self._keys: dict[str, str] = {}
         self._deaths: Counter[str] = Counter()
+        refuse_link(path)
         try:
             path.parent.mkdir(parents=True, exist_ok=True)
             flags = os.O_RDWR | os.O_CREAT | os.O_APPEND | getattr(os, "O_NOFOLLOW", 0)

@@ -15,7 +15,8 @@ from pathlib import Path
 
 from autograder.course import Settings
 from autograder.errors import UsageError
-from autograder.intake.archive import JOINERS, shown
+from autograder.exchange.printable import JOINERS
+from autograder.intake.archive import shown
 from autograder.intake.layouts import LAYOUTS, plain
 from autograder.intake.layouts.layout import Context, Entry, Found, PassedOver, is_reports, visible
 from autograder.intake.layouts.plain import Verdict

@@ -12,6 +12,7 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 from rich.table import Table
 
 from autograder.course import Course
+from autograder.exchange.printable import printable as without_controls
 from autograder.gradebook.changes import Change
 from autograder.gradebook.record import Override, Record, names_of
 from autograder.kinds.status import Status
@@ -193,7 +194,7 @@ def print_record(
 
 def printable(text: str) -> str:
     """Text without control characters, so that no name can write to the terminal."""
-    return "".join(character if character.isprintable() else "�" for character in text)
+    return without_controls(text, "�")
 
 
 def _line(console: Console, text: str) -> None:

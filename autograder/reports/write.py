@@ -9,6 +9,7 @@ from pathlib import Path
 from rich.console import Console
 
 from autograder.course import Course
+from autograder.errors import refuse_link
 from autograder.gradebook import ClassView, Gradebook, Record, view_class
 from autograder.intake.class_list import ClassList
 from autograder.reports.class_csv import write_class_csv
@@ -34,6 +35,7 @@ class Options:
 def write_reports(course: Course, book: Gradebook, options: Options, console: Console) -> str:
     """Write the reports and say in half a sentence which ones."""
     out = options.out
+    refuse_link(out / "feedback")
     view = view_class(course, book, options.class_list or ClassList(), streamed=True)
     records = view.records
     found = gather(course, records)
