@@ -23,6 +23,7 @@ from autograder.gradebook import Gradebook, Record, Run, view_class
 from autograder.gradebook.changes import Change, changes
 from autograder.grading.graded import Graded
 from autograder.grading.journal import STOPPED_THE_GRADER, Journal
+from autograder.grading.own_numbers import compare_numbers
 from autograder.grading.spread import Spread
 from autograder.grading.threads import Threads
 from autograder.grading.whole_class import grade_class
@@ -66,6 +67,7 @@ def grade_and_report(
     graded: list[Graded] = []
     if parsed.no_sandbox:
         warn("Student code runs with your own rights (--no-sandbox); every report says so.")
+    people = {row.submission.student: row.match.people for row in summary.rows}
     works = book.works() if parsed.dry_run else book.note_works()
     handed_in = snapshot([piece.path for entry in submissions for piece in entry.pieces])
     began = time.monotonic()
@@ -74,6 +76,7 @@ def grade_and_report(
         task = progress.add_task("", total=len(submissions))
 
         def done(entry: Graded) -> None:
+            entry = compare_numbers(entry, course, people[entry.submission.student])
             graded.append(entry)
             if not parsed.dry_run:
                 book.store(entry, run, whole=questions is None)
