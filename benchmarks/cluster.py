@@ -1,0 +1,135 @@
+"""What the coordinator of a large class needs: memory, and how many submissions it stores a second.
+
+Not a comparison, so `benchmarks/__main__.py` does not run it::
+
+    uv run python -m benchmarks.cluster [--sizes 1000 10000 100000] [--zip]
+
+The submissions are empty notebooks, and instead of grading them each is given the marks of what
+was not attempted: everything else (taking in, reading, storing, every report) is what `autograder
+grade` does. Each size runs in a process of its own.
+"""
+
+from __future__ import annotations
+
+import argparse
+import io
+import json
+import resource
+import subprocess
+import sys
+import tempfile
+import time
+import zipfile
+from collections.abc import Collection
+from pathlib import Path
+from typing import Any
+
+import autograder.cli.grading_run as grading_run
+from autograder.cli import main as autograder
+from autograder.grading.graded import Graded, same_mark_for_all
+from autograder.grading.spread import Task
+from autograder.grading.whole_class import grade_class
+from autograder.marking.marker import Marker
+from tests.classroom import make_course, notebook
+
+
+class NothingAttempted:
+    """Stands in for the sandboxes: gives every task back at once."""
+
+    has_room, isolation = True, "nothing was run"
+
+    def __init__(self, marker: Marker, jobs: int, questions: Collection[str] | None, *more: Any):
+        self._course, self._graded = marker.course, list[Graded]()
+
+    def __enter__(self) -> NothingAttempted:
+        return self
+
+    def __exit__(self, *exception: object) -> None:
+        pass
+
+    @property
+    def under_way(self) -> int:
+        return len(self._graded)
+
+    def begin(self, task: Task, more: int) -> None:
+        marks = same_mark_for_all(self._course, "not attempted", "Nothing was run.", None)
+        fingerprint = task.contents.fingerprint
+        self._graded.append(Graded(task.submission, "graded", fingerprint, marks))
+
+    def finished(self, wait: bool) -> list[Graded]:
+        graded, self._graded = self._graded, []
+        return graded
+
+    def describe(self) -> str:
+        return ""
+
+
+def hand_in(folder: Path, count: int, is_zip: bool) -> Path:
+    """A folder of empty notebooks, or a zip of zips of them."""
+    text = notebook([])
+    if not is_zip:
+        work = folder / "work"
+        work.mkdir()
+        for number in range(count):
+            (work / f"student{number:06}.ipynb").write_text(text)
+        return work
+    one = io.BytesIO()
+    with zipfile.ZipFile(one, "w") as archive:
+        archive.writestr("1_orchard.ipynb", text)
+    with zipfile.ZipFile(folder / "class.zip", "w") as archive:
+        for number in range(count):
+            archive.writestr(f"student{number:06}.zip", one.getvalue())
+    return folder / "class.zip"
+
+
+def measure(count: int, is_zip: bool) -> dict[str, float]:
+    """Grade in this process: the peak of its memory in MB, and submissions stored a second."""
+    spent = {"seconds": 0.0}
+
+    def timed(*arguments: Any) -> None:
+        began = time.perf_counter()
+        grade_class(*arguments)
+        spent["seconds"] = time.perf_counter() - began
+
+    vars(grading_run).update(grade_class=timed, Threads=NothingAttempted)
+    with tempfile.TemporaryDirectory() as folder:
+        root = Path(folder)
+        make_course(root / "course")
+        work = hand_in(root, count, is_zip)
+        began = time.perf_counter()
+        command = ["--course", str(root / "course"), "grade", str(work)]
+        if autograder([*command, "--out", str(root / "grades")]) != 0:
+            sys.exit("It was not graded.")
+        whole = time.perf_counter() - began
+    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
+    return {"peak": peak, "stored": count / spent["seconds"], "whole": whole}
+
+
+def main() -> None:
+    """Measure each size in a process of its own, and print a table."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--sizes", type=int, nargs="+", default=[1_000, 10_000, 100_000])
+    parser.add_argument("--zip", action="store_true", help="a zip of zips instead of a folder")
+    parser.add_argument("--one", type=int, help=argparse.SUPPRESS)
+    parsed = parser.parse_args()
+    if parsed.one:
+        print(json.dumps(measure(parsed.one, parsed.zip)))
+        return
+    print("| submissions | peak memory | stored a second | with all reports |\n|---|---|---|---|")
+    for size in parsed.sizes:
+        command = [sys.executable, "-m", "benchmarks.cluster", "--one", str(size)]
+        done = subprocess.run(
+            [*command, *(["--zip"] if parsed.zip else [])], capture_output=True, text=True
+        )
+        if done.returncode:
+            sys.exit(done.stderr)
+        found = json.loads(done.stdout.splitlines()[-1])
+        print(
+            f"| {size:,} | {found['peak']:.0f} MB | {found['stored']:.0f} | "
+            f"{found['whole']:.0f} s |",
+            flush=True,
+        )
+
+
+if __name__ == "__main__":
+    main()
