@@ -12,6 +12,7 @@ from contextlib import contextmanager, suppress
 
 import dask.config
 from distributed import Client, LocalCluster
+from distributed.security import Security
 
 from autograder.errors import AutograderError
 from autograder.grading.dask_address import ClusterAddress
@@ -71,6 +72,13 @@ def gone(address: ClusterAddress) -> ClusterError:
 
 @contextmanager
 def _remote(address: str) -> Iterator[Client]:
+    is_encrypted = address.startswith(("tls://", "wss://"))
+    # Dask would notice too, but leave half a client behind, which keeps the process from ending.
+    if is_encrypted and Security().get_connection_args("client").get("ssl_context") is None:
+        raise ClusterError(
+            f"No Dask scheduler can be reached at {address}: Dask has no certificate here; name it "
+            "in Dask's settings (distributed.comm.tls), the same as on the scheduler."
+        )
     try:
         client = Client(address, timeout=_CONNECT_SECONDS, name="autograder", set_as_default=False)
     except (OSError, ValueError, TypeError) as error:
