@@ -14,6 +14,7 @@ _PICTURES = {
     "examples": ["nearest_words", "occurrences", "way_down"],
     "features": ["compare_features", "keypoints", "photographs"],
     "fits": ["fitted_line", "one_outlier", "scan", "scattered_fits", "uncertain_line"],
+    "journey": ["journey"],
     "mapping": ["corridor", "corridor_walls", "three_senses", "walls_of_scan"],
     "polar": ["polar_line", "polar_lines", "steep_walls"],
     "retrieval": ["agreement", "first_places", "matches", "search_results"],
