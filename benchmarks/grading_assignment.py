@@ -9,7 +9,7 @@ import json
 import shutil
 from pathlib import Path
 from textwrap import dedent
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 PRELUDE = dedent("""
     import math
@@ -75,13 +75,13 @@ _CASES = dedent("""
 """).strip()
 
 
-def notebook(cells: list[dict]) -> str:
+def notebook(cells: list[dict[str, Any]]) -> str:
     """The text of a notebook with these cells."""
     kernel = {"kernelspec": {"name": "python3", "display_name": "Python 3", "language": "python"}}
     return json.dumps({"cells": cells, "metadata": kernel, "nbformat": 4, "nbformat_minor": 5})
 
 
-def cell(number: int, source: str, **metadata: object) -> dict:
+def cell(number: int, source: str, **metadata: object) -> dict[str, Any]:
     """A code cell."""
     return {
         "cell_type": "code",
@@ -156,15 +156,17 @@ def write_course(root: Path, students: int) -> None:
         '    return [{"name": "a cloud", "args": [cloud]} for cloud in clouds()]\n'
     )
     for student in range(students):
-        folder = root / "submitted" / f"student{student:04}"
-        folder.mkdir()
-        (folder / "1_ten.ipynb").write_text(submission())
+        handed_in = root / "submitted" / f"student{student:04}"
+        handed_in.mkdir()
+        (handed_in / "1_ten.ipynb").write_text(submission())
 
 
 def write_nbgrader(root: Path, students: int) -> None:
     """Lay out a course for nbgrader: its source, and submissions in ``submitted``."""
 
-    def marked(number: int, source: str, name: str, *, solution: bool, points: int) -> dict:
+    def marked(
+        number: int, source: str, name: str, *, solution: bool, points: int
+    ) -> dict[str, Any]:
         fields = {
             "grade": points > 0,
             "grade_id": name,
@@ -177,7 +179,7 @@ def write_nbgrader(root: Path, students: int) -> None:
             fields["points"] = points
         return cell(number, source, nbgrader=fields)
 
-    def cells(solved: bool) -> list[dict]:
+    def cells(solved: bool) -> list[dict[str, Any]]:
         written = [cell(0, PRELUDE)]
         for number, question in enumerate(QUESTIONS, 1):
             code = question.code

@@ -259,7 +259,9 @@ def _growth(missing: list[str]) -> tuple[list[Row], list[Curve]]:
     return rows, curves
 
 
-def _sparse_database(sparse: Any, images: list[np.ndarray], query: np.ndarray) -> Callable:
+def _sparse_database(
+    sparse: Any, images: list[np.ndarray], query: np.ndarray
+) -> Callable[..., Any]:
     """Return a call that multiplies the query with all images, as sparse tf-idf vectors."""
     ends = np.cumsum([0, *map(len, images)])
     shape = (len(images), million_images.WORD_COUNT)
@@ -323,7 +325,7 @@ def _faiss(missing: list[str]) -> Any:
     return faiss
 
 
-def _call(function: Callable, *arguments: Any) -> Callable[[], Any]:
+def _call(function: Callable[..., Any], *arguments: Any) -> Callable[[], Any]:
     return lambda: function(*arguments)
 
 

@@ -228,7 +228,7 @@ def _plane_contenders(rng: np.random.Generator, missing: list[str]) -> dict[str,
 
         def open_3d(points: np.ndarray, k: int, threshold: float) -> tuple[np.ndarray, float]:
             known, cloud = clouds.get(id(points), (None, None))
-            if known is not points:
+            if cloud is None or known is not points:
                 vectors = open3d.utility.Vector3dVector(points)
                 cloud = open3d.geometry.PointCloud(vectors)
                 while len(clouds) >= 2 * TIMED_SCENES:

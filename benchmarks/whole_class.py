@@ -19,16 +19,21 @@ import sys
 import tempfile
 import time
 import zipfile
+from collections.abc import Sequence
 from pathlib import Path
+from typing import TypeVar
 
 import numpy as np
 
 from autograder.course import Course, load_course
+from autograder.kinds.answer import Alternative
 from autograder.kinds.expression.answer import ExpressionAnswer
 from autograder.kinds.number.answer import NumberAnswer
 from autograder.kinds.order.answer import OrderAnswer
 from autograder.kinds.true_false.answer import TrueFalseAnswer
 from solutions.make_sample_class import Work
+
+A = TypeVar("A", bound=Alternative)
 
 ROOT = Path(__file__).parents[1]
 # Work that no class is without: name, and what is in the file.
@@ -58,6 +63,12 @@ def make_class(folder: Path, course: Course, count: int, rng: np.random.Generato
         (folder / name).write_bytes(content)
 
 
+def _popular(alternatives: Sequence[A], rng: np.random.Generator) -> A:
+    """A mistake; some are more popular than others."""
+    mistakes = [entry for entry in alternatives if entry.is_mistake]
+    return mistakes[min(len(mistakes) - 1, int(rng.exponential(1.0)))]
+
+
 def _mistake(work: Work, course: Course, id: str, rng: np.random.Generator) -> None:
     answer, question = course.key[id], course.question(id)
     if isinstance(answer, TrueFalseAnswer):
@@ -67,14 +78,11 @@ def _mistake(work: Work, course: Course, id: str, rng: np.random.Generator) -> N
         order = list(answer.order)
         order.insert(int(rng.integers(len(order))), order.pop(int(rng.integers(len(order)))))
         work.click(id, order)
-    elif isinstance(answer, NumberAnswer | ExpressionAnswer):
-        mistakes = [entry for entry in answer.alternatives if entry.is_mistake]
-        # Some mistakes are more popular than others.
-        chosen = mistakes[min(len(mistakes) - 1, int(rng.exponential(1.0)))]
-        if isinstance(answer, NumberAnswer):
-            work.type(id, f"{question.name} = {chosen.value!r}")
-        else:
-            work.type(id, f"{question.name} = {_in_sympy(chosen.expression)}")
+    elif isinstance(answer, NumberAnswer):
+        work.type(id, f"{question.name} = {_popular(answer.alternatives, rng).value!r}")
+    elif isinstance(answer, ExpressionAnswer):
+        formula = _in_sympy(_popular(answer.alternatives, rng).expression)
+        work.type(id, f"{question.name} = {formula}")
     else:
         work.type(id, f"def {question.name}(*arguments, **options):\n    return 0.0")
 

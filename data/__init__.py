@@ -12,7 +12,7 @@ from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
 from types import MappingProxyType
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -129,7 +129,7 @@ def _photographs(folder: str, count: int) -> Mapping[str, NDArray[np.uint8]]:
     return MappingProxyType(photographs)
 
 
-def _arrays(name: str, *wanted: str) -> dict[str, NDArray]:
+def _arrays(name: str, *wanted: str) -> dict[str, NDArray[Any]]:
     with np.load(io.BytesIO(_content(name)), allow_pickle=False) as stored:
         return {key: _read_only(stored[key]) for key in wanted}
 
@@ -159,6 +159,6 @@ def _read(name: str) -> bytes:
         raise DataError(f"data/{name} {reason}; make it again: {REBUILD}") from None
 
 
-def _read_only(array: NDArray) -> NDArray:
+def _read_only(array: NDArray[Any]) -> NDArray[Any]:
     array.setflags(write=False)
     return array

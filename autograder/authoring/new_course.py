@@ -18,6 +18,7 @@ from urllib.parse import unquote, urlparse
 
 from autograder import __version__
 from autograder.authoring.pyproject import ENGINE
+from autograder.authoring.schema import schema_files
 from autograder.course import Course, Settings
 from autograder.errors import UsageError
 
@@ -72,6 +73,7 @@ def _files(words: dict[str, str], layout: Course | None) -> Iterator[tuple[str, 
         yield name, text
     if layout is not None:
         yield from _empty_chapters(layout)
+    yield from schema_files()
 
 
 def _empty_chapters(layout: Course) -> Iterator[tuple[str, str]]:

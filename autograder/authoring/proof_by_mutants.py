@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
-from autograder.authoring.mutation import Findings, Survivor, has_variants, try_all
+from autograder.authoring.findings import Findings, Survivor
+from autograder.authoring.mutation import try_all
 from autograder.course import Course
 from autograder.course.questions import Question
+from autograder.course.variants import FOLDER, has_variants, unexpected_variants, variants_of
 from autograder.kinds.registry import kind_of
 from autograder.marking.marker import Marker
 
@@ -20,7 +22,7 @@ def prove_by_mutants(
         CourseError: if the key or a variant cannot be loaded.
     """
     report("mutants")
-    problems: list[str] = []
+    problems = unexpected_variants(course)
     for id, findings in try_all(course, report).items():
         question = course.question(id)
         problems += [f"{id}: {problem}" for problem in _mutants(course, question, findings)]
@@ -40,6 +42,17 @@ def kept_promises(course: Course) -> Iterator[str]:
     for id, promise, cases in _promises(course, Marker(course, 1)):
         tests = ", ".join(f"“{case}”" for case in cases)
         yield f"{id} promises {promise}: tested by {tests or 'nothing'}"
+
+
+def tried_styles(course: Course) -> Iterator[str]:
+    """For each question that has right work in other clothes, in how many styles."""
+    if not has_variants(course):
+        yield f"No question is tried with right work in other clothes: there is no {FOLDER}."
+        return
+    for id, question in course.questions.items():
+        if kind_of(question).fewest_variants:
+            names = variants_of(course, question)
+            yield f"{id} is tried with right work in {len(names)} other styles."
 
 
 def _promises(course: Course, marker: Marker) -> Iterator[tuple[str, str, list[str]]]:
@@ -82,12 +95,12 @@ def _told(survivor: Survivor) -> str:
 
 
 def _variants(course: Course, question: Question, findings: Findings) -> Iterator[str]:
-    for name, problem in findings.variants.items():
+    for name, problem in sorted(findings.variants.items()):
         if problem:
             yield f"the variant {name} must earn everything, but {problem}"
     fewest = kind_of(question).fewest_variants
-    if has_variants(course, question.chapter) and len(findings.variants) < fewest:
+    if has_variants(course) and len(findings.variants) < fewest:
         yield (
-            f"solutions/variants/{question.chapter}.py has {len(findings.variants)} functions "
-            f"called {question.name}__STYLE; write at least {fewest}."
+            f"{FOLDER} has right work in {len(findings.variants)} other styles; "
+            f"write at least {fewest}."
         )

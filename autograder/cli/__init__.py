@@ -32,12 +32,13 @@ from autograder.cli import (
     override,
     regrade,
     release,
+    schema,
     show,
     similar,
     watch,
 )
 from autograder.cli.status import BROKEN, DONE, INTERRUPTED, WRONG_USAGE
-from autograder.errors import AutograderError, UsageError
+from autograder.errors import AutograderError, UsageError, machine_error
 from autograder.reports.plain_text import make_plain
 
 __all__ = ["BROKEN", "DONE", "INTERRUPTED", "WRONG_USAGE", "main"]
@@ -45,7 +46,7 @@ __all__ = ["BROKEN", "DONE", "INTERRUPTED", "WRONG_USAGE", "main"]
 _COMMANDS = (
     *(intake, grade, regrade, show, override, note),
     *(mark, merge, adjust, export, feedback, similar, release),
-    *(new, build, check, watch, doctor),
+    *(new, build, check, watch, schema, doctor),
 )
 
 
@@ -71,9 +72,15 @@ def main(arguments: Sequence[str] | None = None) -> int:
             "autograder: stopped. What was graded is kept; run it again to go on.", file=sys.stderr
         )
         return INTERRUPTED
-    except BrokenPipeError:  # `autograder show ada | head`
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        return DONE
+    except (OSError, MemoryError, RuntimeError) as error:
+        if isinstance(error, BrokenPipeError):  # `autograder show ada | head`
+            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+            return DONE
+        short = machine_error(error)
+        if short is None:
+            raise
+        print(f"autograder: {short}", file=sys.stderr)
+        return BROKEN
 
 
 def _parser() -> argparse.ArgumentParser:

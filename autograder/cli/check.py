@@ -14,11 +14,6 @@ def add(commands: Commands) -> None:
     """Describe the command."""
     command = commands.add_parser("check", help="prove the course")
     command.add_argument(
-        "--strict",
-        action="store_true",
-        help="a mutant of what is right that keeps its credit makes the course unsound",
-    )
-    command.add_argument(
         "--without-mutants", action="store_true", help="leave the mutants out, which take longest"
     )
     command.set_defaults(run=run)
@@ -27,31 +22,21 @@ def add(commands: Commands) -> None:
 def run(parsed: argparse.Namespace, console: Console) -> int:
     """Print every problem; the status says whether there is one."""
     from autograder.authoring.proof import prove_course
-    from autograder.authoring.proof_by_mutants import kept_promises, prove_by_mutants
+    from autograder.authoring.proof_by_mutants import kept_promises, tried_styles
 
     course = load(parsed)
-    remarks: list[str] = []
     with console.status("") as status:
 
         def report(step: str) -> None:
             status.update(f"proving: {step}")
 
-        problems = prove_course(course.root, report, mutants=parsed.strict)
-        if not problems and not parsed.strict and not parsed.without_mutants:
-            remarks = prove_by_mutants(course, report)
-    for line in [] if problems else kept_promises(course):
-        print(line)
-    for problem in problems:
-        print(problem)
+        problems = prove_course(course.root, report, mutants=not parsed.without_mutants)
     if problems:
+        for problem in problems:
+            print(problem)
         print(f"{len(problems)} problem{'s' if len(problems) > 1 else ''}.")
         return BROKEN
-    for remark in remarks:
-        print(remark)
+    for line in (*kept_promises(course), *tried_styles(course)):
+        print(line)
     print(f"The course is sound: {len(course.questions)} questions prove themselves.")
-    if remarks:
-        print(
-            f"{len(remarks)} remarks above: mutants of what is right that keep their credit, and "
-            "the like. --strict takes them for problems."
-        )
     return DONE

@@ -52,7 +52,11 @@ def add_grading(command: argparse.ArgumentParser) -> None:
     """What `grade` and `regrade` have in common."""
     add_out(command)
     command.add_argument(
-        "--jobs", type=_positive, default=os.cpu_count() or 1, metavar="N", help="how many at once"
+        "--jobs",
+        type=_positive,
+        default=os.cpu_count() or 1,
+        metavar="N",
+        help="how many submissions to grade at once",
     )
     command.add_argument(
         "--cluster",
@@ -77,7 +81,8 @@ def add_grading(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "--explanations",
         action=argparse.BooleanOptionalAction,
-        help="whether the feedback for students explains the answers (default: as last time; no)",
+        help="whether students' feedback explains the answers "
+        "(default: as in the last run, at first no)",
     )
     add_class_list(command)
     add_times(command)
@@ -130,7 +135,7 @@ def add_times(command: argparse.ArgumentParser) -> None:
         "--trust-times",
         action=argparse.BooleanOptionalAction,
         help="take the times as they are, those of the files too where nothing else says when "
-        "(default: as last time; no)",
+        "(default: as in the last run, at first no)",
     )
     command.add_argument("--strict", action="store_true", help="exit 1 if something needs a person")
 

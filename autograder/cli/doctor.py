@@ -1,4 +1,4 @@
-"""``autograder doctor``: say which isolation works here, by trying it."""
+"""``autograder doctor``: try each kind of isolation and say which works here."""
 
 from __future__ import annotations
 
@@ -16,7 +16,9 @@ from autograder.errors import CourseError
 
 def add(commands: Commands) -> None:
     """Describe the command."""
-    doctor = commands.add_parser("doctor", help="say which isolation works here, by trying it")
+    doctor = commands.add_parser(
+        "doctor", help="try each kind of isolation and say which works here"
+    )
     doctor.set_defaults(run=run)
 
 

@@ -57,7 +57,7 @@ def add(commands: Commands) -> None:
     )
     mail.add_argument("--smtp-security", choices=("starttls", "tls", "none"), default="starttls")
     mail.add_argument(
-        "--dry-run", action="store_true", help="say who would get what; write and send nothing"
+        "--dry-run", action="store_true", help="say who would get what, but write and send nothing"
     )
     add_out(feedback)
     add_class_list(feedback)

@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import argparse
 import secrets
+import signal
+import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import AbstractContextManager, contextmanager, nullcontext
 from dataclasses import replace
 from importlib.util import find_spec
 from pathlib import Path
@@ -19,6 +22,7 @@ from autograder.errors import CourseError
 from autograder.gradebook import Gradebook, Record, Run, view_class
 from autograder.gradebook.changes import Change, changes
 from autograder.grading.graded import Graded
+from autograder.grading.journal import STOPPED_THE_GRADER, Journal
 from autograder.grading.spread import Spread
 from autograder.grading.threads import Threads
 from autograder.grading.whole_class import grade_class
@@ -55,13 +59,14 @@ def grade_and_report(
     before = {record.student: record for record in book.records()}
     isolation: Isolation = "none" if parsed.no_sandbox else "auto"
     run = _choose_run(parsed, course, book, regrade, isolation)
-    marker = Marker(course, run.seed)
+    marker = Marker(course, run.seed, tells=False)
     known = None
     if questions is None and not parsed.dry_run:
         known = _known(book, run, course, submissions)
     graded: list[Graded] = []
     if parsed.no_sandbox:
         warn("Student code runs with your own rights (--no-sandbox); every report says so.")
+    works = book.works() if parsed.dry_run else book.note_works()
     handed_in = snapshot([piece.path for entry in submissions for piece in entry.pieces])
     began = time.monotonic()
     interrupted = False
@@ -86,7 +91,8 @@ def grade_and_report(
             spread = DaskCluster(marker, parsed.cluster, questions, isolation, warn)
         with spread:
             try:
-                grade_class(submissions, course, spread, done, questions, known)
+                with _journal(parsed, book, regrade) as journal, _ended_orderly():
+                    grade_class(submissions, course, spread, done, questions, known, journal, works)
             except KeyboardInterrupt:
                 interrupted = True
             finally:
@@ -130,10 +136,39 @@ def grade_and_report(
         print_changes(console, before, changed)
     elif changed:
         students = {change.student for change in changed}
-        console.print(f"{len(changed)} marks of {len(students)} students are others than before.")
+        console.print(f"{len(changed)} marks of {len(students)} students changed.")
     said = f" (read as {'; '.join(summary.rules)})" if summary.rules else ""
     console.print(f"{summary.sentence()}{said}; {written}.", soft_wrap=True, markup=False)
     return ended
+
+
+def _journal(
+    parsed: argparse.Namespace, book: Gradebook, regrade: bool
+) -> AbstractContextManager[Journal | None]:
+    """What is at work, beside the gradebook; a regrade gives everybody another chance."""
+    if parsed.dry_run:
+        return nullcontext()
+    return Journal(book.path.with_suffix(".at-work"), forget=regrade)
+
+
+@contextmanager
+def _ended_orderly() -> Iterator[None]:
+    """While grading, being told to end, as by a closed terminal, is like Ctrl-C."""
+
+    def interrupt(number: int, frame: object) -> None:
+        raise KeyboardInterrupt
+
+    before = {}
+    if threading.current_thread() is threading.main_thread():
+        for name in ("SIGTERM", "SIGHUP"):
+            number = getattr(signal, name, None)
+            if number is not None and signal.getsignal(number) is signal.SIG_DFL:
+                before[number] = signal.signal(number, interrupt)
+    try:
+        yield
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)
 
 
 def _known(
@@ -156,6 +191,12 @@ def _look_again(
     summary.unreadable = frozenset(
         entry.submission.student for entry in graded if entry.status == "unreadable"
     )
+    stopped = [entry.submission.student for entry in graded if STOPPED_THE_GRADER in entry.notes]
+    if stopped:
+        summary.warnings.append(
+            f"The work of {', '.join(stopped)} stopped the grader twice and was passed by; mark it "
+            "by hand. After a change of the autograder, `autograder regrade` tries it again."
+        )
     altered = changed_since(handed_in)
     if altered:
         named = ", ".join(str(path) for path in altered[:5])

@@ -26,9 +26,9 @@ def add(commands: Commands) -> None:
     merge = commands.add_parser(
         "merge",
         help="join gradebooks: marks by hand, overrides, notes",
-        description="Adds to the gradebook in --out what each of the others has more; where there "
-        "is none yet, it begins as a copy of the first. What contradicts is shown and counts for "
-        "nobody until it is decided with `mark` or `override`; then the exit status is 1.",
+        description="Adds to the gradebook in --out whatever the others have and it lacks; if "
+        "there is none yet, it starts as a copy of the first. Conflicts are shown and count for "
+        "nobody until you decide them with `mark` or `override`; the exit status is 1 until then.",
     )
     merge.add_argument("books", nargs="+", type=Path, metavar="GRADEBOOK", help="a file or folder")
     add_out(merge)
@@ -71,7 +71,7 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
         write_reports(course, into, Options(parsed.out, None, class_list), console)
         waiting = sum(bool(record.disputes) for record in into.records())
     if waiting:
-        console.print(f"{waiting} students have points that contradict; see `autograder mark`.")
+        console.print(f"{waiting} students have conflicting points; see `autograder mark`.")
     return BROKEN if conflicts or waiting else DONE
 
 

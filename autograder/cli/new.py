@@ -14,7 +14,7 @@ from autograder.course import load_course
 
 def add(commands: Commands) -> None:
     """Describe the command."""
-    new = commands.add_parser("new", help="begin a course: a complete small one, to be changed")
+    new = commands.add_parser("new", help="start a course: a small complete one to change")
     new.add_argument("folder", type=Path, metavar="DIR", help="a new folder")
     new.add_argument("--title", default="The pendulum", help="the title of the course")
     new.add_argument(
@@ -22,7 +22,7 @@ def add(commands: Commands) -> None:
         type=Path,
         dest="layout",
         metavar="COURSE",
-        help="take over the chapters, requirements and limits of this course, and no question",
+        help="copy the chapters, requirements and limits of this course, but no questions",
     )
     new.set_defaults(run=run)
 

@@ -135,5 +135,7 @@ def read_points(text: str) -> float | None:
     except ValueError:
         points = math.nan
     if not (math.isfinite(points) and points >= 0):
-        raise UsageError(f"{text!r} are no points; give a number of at least 0, or `none`.")
+        raise UsageError(
+            f"{text!r} is not a number of points; give a number of at least 0, or `none`."
+        )
     return round(points, 2)

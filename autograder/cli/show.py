@@ -21,7 +21,7 @@ from autograder.cli.status import DONE
 
 def add(commands: Commands) -> None:
     """Describe the command."""
-    show = commands.add_parser("show", help="show what the gradebook knows of a student")
+    show = commands.add_parser("show", help="show what the gradebook knows about a student")
     show.add_argument("student", metavar="STUDENT", help="name, id, login or e-mail")
     add_out(show)
     add_class_list(show)

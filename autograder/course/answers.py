@@ -5,45 +5,43 @@ What an answer has beyond an explanation, code and alternatives is the business 
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
+from autograder.course.filling import fill
 from autograder.errors import CourseError
-from autograder.kinds.answer import Alternative, Answer, Equivalent
+from autograder.kinds.answer import Alternative, Answer
 from autograder.kinds.question import Question
 from autograder.kinds.registry import kind_of
-from autograder.kinds.toml_table import Table
+from autograder.kinds.strict import Place, read_table
 
 __all__ = ["Alternative", "Answer", "answer_from_table"]
 
 
-def answer_from_table(table: dict[str, Any], question: Question) -> Answer:
-    """Read the key to one question.
+def answer_from_table(
+    table: dict[str, Any],
+    question: Question,
+    text: str = "",
+    numbers: Mapping[str, int | float] | None = None,
+) -> Answer:
+    """Read the key to one question; ``text`` is that of its file, for the lines of errors.
+
+    ``numbers`` are those of the question's variant, if it has variables.
 
     Raises:
         CourseError: if the table does not fit the question; the sentence says where and why.
     """
-    where = f"the answer to {question.id} in solutions/answers/{question.chapter}.toml"
-    if not isinstance(table, dict):
-        raise CourseError(f"{where} must be a table.")
-    read = Table(table, where)
-    common: dict[str, Any] = {
-        "id": question.id,
-        "explanation": read.text("explanation", ""),
-        "code": read.text("code", ""),
-        "snapshot": read.take("snapshot", bool, True),
-    }
-    declared = read.tables("equivalent", "equivalent", [])
-    common["equivalent"] = tuple(
-        Equivalent(entry.text("mutant"), entry.text("why")) for entry in declared
-    )
-    tables = read.tables("alternative", "alternative", [])
-    answer: Answer = kind_of(question).read_answer(question, read, tables, common)
-    for entry in (read, *declared, *tables):
-        entry.done()
-    names = [alternative.name for alternative in answer.alternatives]
-    if len(set(names)) != len(names):
-        raise CourseError(f"{where}: two alternatives have the same name.")
-    for alternative in answer.alternatives:
-        if alternative.is_mistake and not alternative.feedback:
-            raise CourseError(f"{where}: the mistake {alternative.name!r} has no feedback.")
+    words = f"the answer to {question.id} in solutions/answers/{question.chapter}.toml"
+    place = Place(words, text, (question.id,))
+    kind = kind_of(question)
+    if numbers is not None and isinstance(table, dict):
+        try:
+            table = fill(table, numbers, kind.formulas)
+        except CourseError as error:
+            raise place.error(str(error).rstrip(".")) from None
+    answer = read_table(table, kind.answer_type, place, id=question.id)
+    try:
+        kind.check_answer(question, answer)
+    except ValueError as error:
+        raise place.error(str(error)) from None
     return answer

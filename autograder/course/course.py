@@ -6,16 +6,18 @@ import hashlib
 import json
 import os
 import tomllib
-from collections.abc import Callable
-from dataclasses import dataclass, fields, replace
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
 from pathlib import Path
 from typing import Any
 
 from autograder.course.answers import Answer, answer_from_table
-from autograder.course.questions import Question, question_from_table
+from autograder.course.questions import Question, Written
 from autograder.errors import CourseError, UsageError
 from autograder.kinds.registry import load_kind
+from autograder.kinds.strict import Place
+from autograder.kinds.variables import Variables, read_variables
 
 QUESTIONS = Path("notebooks/questions")
 ANSWERS = Path("solutions/answers")
@@ -53,6 +55,7 @@ class Chapter:
     name: str
     title: str
     questions: tuple[Question, ...]
+    written: tuple[Written, ...] = ()  # the tables of its questions, in their order
 
 
 @dataclass(frozen=True)
@@ -63,6 +66,8 @@ class Course:
     chapters: tuple[Chapter, ...]
     settings: Settings
     own_kinds: tuple[str, ...] = ()  # packages of the kinds of question that it brings along
+    personal: bool = False  # whether each student has numbers of their own
+    variants: Mapping[str, int] = field(default_factory=dict)  # of the questions that have any
 
     @cached_property
     def questions(self) -> dict[str, Question]:
@@ -88,6 +93,61 @@ class Course:
         """The chapter with this name."""
         return next(chapter for chapter in self.chapters if chapter.name == name)
 
+    @cached_property
+    def varied(self) -> dict[str, Written]:
+        """The questions that have variants, by their ids."""
+        return {
+            str(written.table["id"]): written
+            for chapter in self.chapters
+            for written in chapter.written
+            if written.variables is not None
+        }
+
+    def numbers(self, id: str) -> dict[str, int | float] | None:
+        """The numbers of a question here; None if it has no variables."""
+        if id not in self.varied:
+            return None
+        variables = self.varied[id].variables
+        assert variables is not None
+        return variables.numbers(self.variants.get(id, 0))
+
+    def with_variants(self, variants: Mapping[str, int]) -> Course:
+        """The course with these variants of the questions that have any; the others have 0.
+
+        All that does not vary is shared with this one.
+        """
+        chapters = tuple(
+            replace(
+                chapter,
+                questions=tuple(
+                    written.question(variants.get(question.id, 0))
+                    if written.variables is not None
+                    else question
+                    for question, written in zip(chapter.questions, chapter.written, strict=True)
+                ),
+            )
+            for chapter in self.chapters
+        )
+        made = replace(self, chapters=chapters, variants=dict(variants))
+        if "key" in self.__dict__:
+            varied = {id: made._answer(made.question(id)) for id in self.varied}
+            made.__dict__["key"] = {**self.key, **varied}
+        made.__dict__["answer_tables"] = self.__dict__.get("answer_tables", self.answer_tables)
+        return made
+
+    def for_student(self, student: str) -> Course:
+        """The course as a student has it: their own numbers, where the course gives such.
+
+        ``student`` is what they say they are called; nobody has the sheet's numbers.
+        """
+        if not self.personal or not student.strip():
+            return self
+        found = {}
+        for id, written in self.varied.items():
+            assert written.variables is not None
+            found[id] = written.variables.variant_of(written.chapter, student)
+        return self.with_variants(found)
+
     @property
     def has_key(self) -> bool:
         """Whether the answers are at hand, as in the whole repository but not in a bundle."""
@@ -105,10 +165,23 @@ class Course:
                 f"There is no key in {self.root / ANSWERS}; "
                 "marking needs the whole repository, not the student bundle."
             )
-        key: dict[str, Answer] = {}
-        for chapter in self.chapters:
+        return {id: self._answer(question) for id, question in self.questions.items()}
+
+    def _answer(self, question: Question) -> Answer:
+        text, tables = self.answer_tables[question.chapter]
+        return answer_from_table(tables[question.id], question, text, self.numbers(question.id))
+
+    @cached_property
+    def answer_tables(self) -> dict[str, tuple[str, dict[str, Any]]]:
+        """For each chapter the text of its key, and the tables in it.
+
+        Raises:
+            CourseError: if an answer is missing or left over.
+        """
+        read: dict[str, tuple[str, dict[str, Any]]] = {}
+        for chapter in self.chapters if self.has_key else ():
             path = self.root / ANSWERS / f"{chapter.name}.toml"
-            tables = _read_toml(path, f"write the answers to {chapter.name}.toml there")
+            text, tables = _read_toml(path, f"write the answers to {chapter.name}.toml there")
             asked = {question.id: question for question in chapter.questions}
             for id in asked.keys() - tables.keys():
                 raise CourseError(f"{id} has no answer; add one to {path.relative_to(self.root)}.")
@@ -117,8 +190,8 @@ class Course:
                     f"{path.relative_to(self.root)} answers {id}, which nobody asks; "
                     f"add the question to {QUESTIONS / path.name} or remove the answer."
                 )
-            key |= {id: answer_from_table(tables[id], asked[id]) for id in asked}
-        return key
+            read[chapter.name] = text, tables
+        return read
 
     @cached_property
     def demo_cells(self) -> frozenset[str]:
@@ -212,23 +285,41 @@ def load_course(root: Path | None = None) -> Course:
         load_kind(package, root)
     chapters = []
     for path in sorted((root / QUESTIONS).glob("*.toml"), key=_chapter_position(root)):
-        table = _read_toml(path, "write it, or remove the file")
-        unknown = table.keys() - {"title", "question"}
+        text, table = _read_toml(path, "write it or remove the file")
+        unknown = table.keys() - {"title", "question", "story"}
         if unknown or not isinstance(table.get("title"), str):
             raise CourseError(
-                f"{path.relative_to(root)} needs a title and [[question]] tables, nothing else."
+                f"{path.relative_to(root)} needs a title and [[question]] tables, and may "
+                "have [story.NAME] tables, nothing else."
             )
         entries = table.get("question", [])
         if not (isinstance(entries, list) and all(isinstance(entry, dict) for entry in entries)):
             raise CourseError(
                 f"{path.relative_to(root)}: each question is a table that begins with [[question]]."
             )
-        questions = tuple(question_from_table(entry, path.stem) for entry in entries)
-        chapters.append(Chapter(path.stem, table["title"], questions))
+        stories = _read_stories(table.get("story", {}), text, path.relative_to(root))
+        written = tuple(
+            Written.read(entry, path.stem, text, n, stories) for n, entry in enumerate(entries)
+        )
+        questions = tuple(entry.question() for entry in written)
+        chapters.append(Chapter(path.stem, table["title"], questions, written))
     if not chapters:
         raise CourseError(f"{root / QUESTIONS} holds no questions; add a CHAPTER.toml.")
     _reject_duplicates(chapters)
-    return Course(root, tuple(chapters), _read_settings(root, tools), own_kinds)
+    personal = _is_personal(root, tools)
+    return Course(root, tuple(chapters), _read_settings(root, tools), own_kinds, personal)
+
+
+def _read_stories(stories: Any, text: str, file: Path) -> dict[str, Variables]:
+    place = Place(f"story in {file.as_posix()}", text, ("story",))
+    if not isinstance(stories, dict):
+        raise place.error("a story is a table such as [story.cloud]")
+    return {
+        name: read_variables(
+            table, name, Place(f"story {name!r} in {file.as_posix()}", text, ("story", name))
+        )
+        for name, table in stories.items()
+    }
 
 
 def _reject_duplicates(chapters: list[Chapter]) -> None:
@@ -266,9 +357,11 @@ def _chapter_position(root: Path) -> Any:
     return lambda path: numbers.get(path.stem, "~" + path.stem)
 
 
-def _read_toml(path: Path, missing: str) -> dict[str, Any]:
+def _read_toml(path: Path, missing: str) -> tuple[str, dict[str, Any]]:
+    """A file's text, and what it says."""
     try:
-        return tomllib.loads(path.read_text(encoding="utf-8"))
+        text = path.read_text(encoding="utf-8")
+        return text, tomllib.loads(text)
     except FileNotFoundError:
         raise CourseError(f"{path} is missing; {missing}.") from None
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
@@ -280,7 +373,7 @@ def _read_tool_table(root: Path) -> dict[str, Any]:
     path = root / "pyproject.toml"
     if not path.exists():
         return {}
-    tools = _read_toml(path, "").get("tool", {})
+    tools = _read_toml(path, "")[1].get("tool", {})
     table = tools.get("autograder", {}) if isinstance(tools, dict) else {}
     if not isinstance(table, dict):
         raise CourseError(
@@ -298,6 +391,17 @@ def _own_kinds(root: Path, table: dict[str, Any]) -> tuple[str, ...]:
             'such as kinds = ["notebooks.kinds.matching"].'
         )
     return tuple(packages)
+
+
+def _is_personal(root: Path, table: dict[str, Any]) -> bool:
+    """Whether each student has numbers of their own, by ``variants`` in the settings."""
+    chosen = table.pop("variants", "sheet")
+    if chosen not in ("sheet", "student"):
+        raise CourseError(
+            f"variants of [tool.autograder] in {root / 'pyproject.toml'} is {chosen!r}; write "
+            '"sheet" (everybody has the sheet\'s numbers) or "student" (everybody their own).'
+        )
+    return bool(chosen == "student")
 
 
 def _packages(value: Any, where: str) -> tuple[str, ...]:

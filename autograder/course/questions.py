@@ -1,45 +1,89 @@
 """What is asked, read from ``notebooks/questions/*.toml``. These files go to students.
 
-What a question has beyond an id, a title, a prompt, hints and points is the business of its kind.
+What a question has beyond an id, a title, a prompt and hints is the business of its kind.
 """
 
 from __future__ import annotations
 
-import re
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
 from typing import Any
 
-from autograder.errors import CourseError
+from autograder.course.filling import fill
 from autograder.kinds.question import Question
 from autograder.kinds.registry import has_kind, kind_named, kind_names
-from autograder.kinds.toml_table import Table
+from autograder.kinds.strict import Place, read_table
+from autograder.kinds.variables import Variables, read_variables
 
-__all__ = ["Question", "question_from_table"]
-
-_ID = re.compile(r"Q\d+(\.\d+)*[a-z]?\d?")
+__all__ = ["Question", "Written", "question_from_table"]
 
 
-def question_from_table(table: dict[str, Any], chapter: str) -> Question:
-    """Read one ``[[question]]`` table.
+@dataclass(frozen=True)
+class Written:
+    """A ``[[question]]`` table as it stands, at ``position`` in the ``text`` of its file."""
+
+    table: Mapping[str, Any]
+    chapter: str
+    text: str = ""
+    position: int = 0
+    variables: Variables | None = None
+
+    @property
+    def place(self) -> Place:
+        """Where it stands, for errors."""
+        words = f"question {self.table.get('id', '?')!r} in notebooks/questions/{self.chapter}.toml"
+        return Place(words, self.text, ("question", self.position))
+
+    def question(self, variant: int = 0) -> Question:
+        """The question with the numbers of a variant; 0 has the sheet's.
+
+        Raises:
+            CourseError: if a field is missing, unknown or of the wrong type; the sentence names the
+                question, the field, the file and, given its text, the line.
+        """
+        if self.variables is None:
+            return question_from_table(self.table, self.chapter, self.text, self.position)
+        filled = fill(self.table, self.variables.numbers(variant))
+        return question_from_table(filled, self.chapter, self.text, self.position)
+
+    @classmethod
+    def read(
+        cls,
+        table: Mapping[str, Any],
+        chapter: str,
+        text: str,
+        position: int,
+        stories: Mapping[str, Variables],
+    ) -> Written:
+        """A table, with the variables of its story or its own.
+
+        Raises:
+            CourseError: if there is no such story, or the variables are wrong.
+        """
+        written = cls(table, chapter, text, position)
+        story, own = table.get("story"), table.get("variables")
+        if isinstance(story, str) and story:
+            if story not in stories:
+                raise written.place.error(f"there is no [story.{story}] in this file", ("story",))
+            return replace(written, variables=stories[story])
+        if own is not None:
+            name = str(table.get("id"))
+            place = replace(written.place, path=(*written.place.path, "variables"))
+            return replace(written, variables=read_variables(own, name, place))
+        return written
+
+
+def question_from_table(
+    table: Mapping[str, Any], chapter: str, text: str = "", position: int = 0
+) -> Question:
+    """Read one ``[[question]]`` table: the one at ``position`` in the ``text`` of its file.
 
     Raises:
         CourseError: if a field is missing, unknown or of the wrong type; the sentence names the
-            question, the field and the file.
+            question, the field, the file and, given its text, the line.
     """
-    where = f"question {table.get('id', '?')!r} in notebooks/questions/{chapter}.toml"
-    read = Table(table, where)
+    place = Written(table, chapter, text, position).place
     name = table.get("kind")
     if not isinstance(name, str) or not has_kind(name):
-        raise CourseError(f"{where}: kind {name!r} is not one of {', '.join(kind_names())}.")
-    kind = kind_named(read.text("kind"))
-    if not _ID.fullmatch(read.take("id", str)):
-        raise read.error("an id looks like Q3.2.1 or Q2.2a")
-    common: dict[str, Any] = {
-        "id": read.text("id"),
-        "chapter": chapter,
-        "title": read.text("title"),
-        "prompt": read.text("prompt"),
-        "hints": read.some_texts("hints"),
-    }
-    question = kind.read_question(read, common)
-    read.done()
-    return question
+        raise place.error(f"kind {name!r} is not one of {', '.join(kind_names())}", ("kind",))
+    return read_table(dict(table), kind_named(name).question_type, place, chapter=chapter)

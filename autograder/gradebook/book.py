@@ -18,6 +18,9 @@ from autograder.grading.graded import Graded
 from autograder.intake.origin import Origin, path_from_text, path_to_text
 from autograder.intake.submissions import Submission
 from autograder.marking import Mark
+from autograder.marking.draw import set_number
+
+_WORKS = "works"
 
 
 @dataclass(frozen=True)
@@ -166,6 +169,25 @@ class Gradebook:
         submission = Submission(student, path_from_text(path), origin=_origin(origin))
         return Graded(submission, status, fingerprint, marks, tuple(json.loads(notes)), seconds)
 
+    def works(self) -> dict[str, list[str]]:
+        """The fingerprints of what each student handed in until now, in the order it first came."""
+        found: dict[str, list[str]] = json.loads(self.setting(_WORKS) or "{}")
+        for student, fingerprint in self._rows(
+            "SELECT student, fingerprint FROM (SELECT student, fingerprint, 0 AS now, id "
+            "FROM attempt UNION ALL SELECT student, fingerprint, 1, 0 FROM submission) "
+            "WHERE fingerprint != '' ORDER BY now, id"
+        ):
+            known = found.setdefault(student, [])
+            if fingerprint not in known:
+                known.append(fingerprint)
+        return found
+
+    def note_works(self) -> dict[str, list[str]]:
+        """As `works`; from now on their order stays, whatever comes back."""
+        found = self.works()
+        self.set(_WORKS, json.dumps(found))
+        return found
+
     def records(self) -> list[Record]:
         """Everything about every student, by name, as of one moment."""
         with readable_errors(self.path):
@@ -213,8 +235,9 @@ class Gradebook:
             "seed, handed_in, late_days, late_percent, isolation, course_version "
             "FROM submission JOIN run ON run.id = submission.run ORDER BY student"
         )
-        found = []
+        found, works = [], self.works()
         for student, path, fingerprint, status, odd, seconds, origin, run, seed, *rest in rows:
+            number = set_number(student, fingerprint, works.get(student, ()))
             handed_in, late_days, late_percent, isolation, version = rest
             submission = Submission(student, path_from_text(path), origin=_origin(origin))
             notes_on_files = tuple(json.loads(odd))
@@ -235,6 +258,7 @@ class Gradebook:
                     version,
                     tuple(attempts.get(student, ())),
                     disputes.get(student, {}),
+                    set_number=number,
                 )
             )
         return found

@@ -37,7 +37,7 @@ def merge(into: Gradebook, other: Gradebook) -> Merged:
     if theirs and not ours:
         into.set(SCHEME, theirs)
     elif theirs and ours != theirs:
-        done.conflicts.append("The grading.toml that were accepted differ; the first stays.")
+        done.conflicts.append("The two accepted grading.toml files differ; the first one is kept.")
     return done
 
 
@@ -50,7 +50,7 @@ def _students(into: Gradebook, other: Gradebook, done: Merged) -> None:
             done.students += 1
         elif known.graded.fingerprint != record.graded.fingerprint:
             done.conflicts.append(
-                f"{record.student}: the two gradebooks have different work; the first stays."
+                f"{record.student}: the two gradebooks hold different work; the first one is kept."
             )
 
 

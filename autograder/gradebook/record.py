@@ -11,6 +11,7 @@ from autograder.grading.graded import Graded
 from autograder.intake.origin import Origin
 from autograder.intake.person import Person
 from autograder.marking import Mark
+from autograder.marking.draw import seed_of_set
 
 if TYPE_CHECKING:
     from autograder.gradebook.scheme import Scheme
@@ -71,6 +72,7 @@ class Record:
     off the points earned; ``isolation`` is what kept the student's code in. ``people`` are those of
     the class list whose work it is, if that is certain. ``disputes`` are points by hand, by
     question, that contradict each other. ``scheme`` is what was decided after the exam.
+    ``set_number`` is that of the hidden inputs, which are others for other work of a student.
     """
 
     graded: Graded
@@ -87,6 +89,12 @@ class Record:
     disputes: Mapping[str, tuple[Override, ...]] = field(default_factory=dict)
     people: tuple[Person, ...] = ()
     scheme: Scheme | None = None
+    set_number: int = 0
+
+    @property
+    def inputs_seed(self) -> int:
+        """What drew the hidden inputs of this work."""
+        return seed_of_set(self.seed, self.set_number)
 
     @property
     def student(self) -> str:

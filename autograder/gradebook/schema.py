@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import errno
 import sqlite3
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from urllib.parse import quote
 
-from autograder.errors import AutograderError
+from autograder.errors import AutograderError, machine_error, short_of
 
 BUSY_SECONDS = 30.0  # how long a writer waits for another one
 
@@ -139,6 +140,10 @@ def readable_errors(path: Path) -> Iterator[None]:
     try:
         yield
     except sqlite3.OperationalError as error:
+        if error.sqlite_errorcode == sqlite3.SQLITE_FULL:
+            raise short_of(errno.ENOSPC, str(path)) or error from None
+        if error.sqlite_errorcode == sqlite3.SQLITE_NOMEM:
+            raise short_of(errno.ENOMEM) or error from None
         raise GradebookError(
             f"{path} cannot be used now ({error}); if another autograder is writing there, wait "
             "for it, otherwise check the disk and the folder's permissions."
@@ -149,6 +154,8 @@ def readable_errors(path: Path) -> Iterator[None]:
             "restore it from a copy, or move it away and grade again."
         ) from None
     except OSError as error:
+        if (short := machine_error(error, str(path))) is not None:
+            raise short from None
         raise GradebookError(
             f"{path} cannot be written ({error}); choose another folder with --out."
         ) from None
@@ -159,7 +166,7 @@ def _version(db: sqlite3.Connection, path: Path) -> int:
     tables = db.execute("SELECT count(*) FROM sqlite_schema").fetchone()[0]
     if version == 0 and tables:
         raise GradebookError(
-            f"{path} is a database, but no gradebook; move it away or choose another --out."
+            f"{path} is a database, but not a gradebook; move it away or choose another --out."
         )
     if version > SCHEMA_VERSION:
         raise GradebookError(

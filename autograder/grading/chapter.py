@@ -11,10 +11,12 @@ from typing import Any
 
 from autograder.course import Chapter, Course
 from autograder.course.questions import Question
+from autograder.exchange.reasons import REASONS
 from autograder.exchange.replies import NOT_PLAIN
 from autograder.grading.told import defining_cell, import_notes, in_words, shown_code
 from autograder.intake.submissions import Contents
 from autograder.kinds.drawn import Drawn
+from autograder.kinds.mark import NO_VALUE
 from autograder.kinds.registry import kind_of
 from autograder.marking import Mark, not_attempted, stopped
 from autograder.marking.marker import Marker
@@ -47,7 +49,7 @@ def grade_chapter(
             marks[question.id] = _mark_named(question, session, marker, work, ran, opening)
     contents.notes.extend(import_notes(chapter.title, ran.told))
     found = [mark for mark in marks.values() if mark is not None]
-    said = _ask_what_was_raised(found, work, marker, sandbox, deadline)
+    said = _ask_about_the_example(found, work, marker, sandbox, deadline)
     return [_with_code(mark, marker.course.questions[mark.question], work, said) for mark in found]
 
 
@@ -163,7 +165,7 @@ def _mark_named(
             question,
             "error",
             f"The cell that should define {question.name} raised an exception. "
-            "Restart the kernel, run all cells, and mend the first one that fails.",
+            "Restart the kernel, run all cells, and fix the first one that fails.",
         )
         return replace(mark, told=in_words(next(iter(ran.told[defining:]), None)))
     return marker.mark(question.id, response, _line(ran.understood.get(question.name, "")))
@@ -191,35 +193,52 @@ def _ask(name: str, session: Session, drawn: Drawn, opening: Opening) -> dict[st
     return {"state": "given", "outcomes": first + others}
 
 
-def _ask_what_was_raised(
+@dataclass(frozen=True)
+class _Example:
+    """What a function does with the input that students may see: raises, or gives no value."""
+
+    told: str = ""
+    reason: str = ""
+
+
+def _ask_about_the_example(
     marks: Sequence[Mark], work: _Work, marker: Marker, sandbox: Sandbox, deadline: float
-) -> dict[str, str]:
-    """What functions raise for the input that students may see, in a process of its own.
+) -> dict[str, _Example]:
+    """What functions do with the input that students may see, in a process of its own.
 
     The process that was marked knows the hidden inputs by now; what it says could carry them. Only
-    what raised on everything, or on a kind of input that may be public, is asked again.
+    what gave no value for some input is asked again.
     """
     asked = [
         (question, opening)
         for mark in marks
         if not mark.told
-        and any("raises" in p.feedback for p in mark.parts)
+        and (NO_VALUE in mark.feedback or (mark.status == "error" and mark.parts))
         and (question := marker.course.questions[mark.question]).name is not None
         and (opening := _public_call(question, marker)) is not None
     ]
     if not asked:
         return {}
-    said: dict[str, str] = {}
+    said: dict[str, _Example] = {}
     with sandbox.session(deadline) as session:
         try:
             session.run(work.cells, [])
             for question, opening in asked:
                 assert question.name is not None
                 reply = session.evaluate(question.name, opening)
-                said[question.id] = in_words(reply.get("told"))
+                said[question.id] = _Example(in_words(reply.get("told")), _no_value(reply))
         except Stopped:
             pass  # what could not be found out is not told; the mark stands
     return said
+
+
+def _no_value(reply: dict[str, Any]) -> str:
+    """Why what came back for one input is no value, in words."""
+    outcomes = reply.get("outcomes")
+    outcome = outcomes[0] if isinstance(outcomes, list) and outcomes else {}
+    if "unusable" in outcome:
+        return REASONS[outcome["unusable"]]
+    return "it changes its input in place; work on a copy" if "changed" in outcome else ""
 
 
 def _public_call(question: Question, marker: Marker) -> dict[str, Any] | None:
@@ -230,13 +249,17 @@ def _public_call(question: Question, marker: Marker) -> dict[str, Any] | None:
     return {**drawn.probe, "cases": drawn.probe["cases"][:1], "tell": True}
 
 
-def _with_code(mark: Mark, question: Question, work: _Work, said: dict[str, str]) -> Mark:
+def _with_code(mark: Mark, question: Question, work: _Work, said: dict[str, _Example]) -> Mark:
     """The mark with the student's own words: the code of the response, and what it raised."""
     if question.name is None or mark.status == "not attempted":
         return mark
     cell = defining_cell(question.name, work.cells)
     code = "" if cell is None else shown_code(work.cells[cell])
-    return replace(mark, code=code, told=mark.told or said.get(question.id, ""))
+    example = said.get(question.id, _Example())
+    feedback = mark.feedback
+    if example.reason:
+        feedback = f"{feedback} On the example that you can see, {example.reason}."
+    return replace(mark, code=code, told=mark.told or example.told, feedback=feedback)
 
 
 def _notebook_stopped(stop: Stopped) -> str:

@@ -31,6 +31,7 @@ class Order:
     student: str
     contents: Contents
     seed: int
+    set_number: int
     questions: frozenset[str] | None
 
     def submission(self) -> Submission:
@@ -53,6 +54,7 @@ def pack_order(task: Task, seed: int, questions: Collection[str] | None) -> byte
             "notes": contents.notes,
             "fingerprint": contents.fingerprint,
             "seed": seed,
+            "set": task.set_number,
             "questions": None if questions is None else sorted(questions),
         }
     )
@@ -73,6 +75,7 @@ def unpack_order(data: bytes) -> Order:
         fields["student"],
         contents,
         fields["seed"],
+        fields["set"],
         None if questions is None else frozenset(questions),
     )
 
@@ -87,6 +90,7 @@ def pack_result(result: Graded | Broken) -> bytes:
             "marks": [mark.to_dict() for mark in result.marks],
             "notes": result.notes,
             "seconds": result.seconds,
+            "doubtful": result.is_doubtful,
         }
     )
 
@@ -103,6 +107,7 @@ def unpack_result(data: bytes, submission: Submission) -> Graded | Broken:
         tuple(Mark.from_dict(mark) for mark in fields["marks"]),
         tuple(fields["notes"]),
         fields["seconds"],
+        fields["doubtful"],
     )
 
 

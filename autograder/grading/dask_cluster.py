@@ -179,8 +179,8 @@ class DaskCluster:
                 return self._worker_died(sent, error)
             raise ClusterError(
                 f"A worker failed in a way that says nothing about the submission of "
-                f"{sent.task.submission.student} ({type(error).__name__}); look at what the "
-                "workers print, then run this command again to go on."
+                f"{sent.task.submission.student} ({type(error).__name__}); look at the "
+                "workers' output, then run this command again to go on."
             ) from error
         raise gone(self._address)
 

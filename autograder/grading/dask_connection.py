@@ -76,7 +76,7 @@ def _remote(address: str) -> Iterator[Client]:
     except (OSError, ValueError, TypeError) as error:
         reason = str(error).partition("\n")[0][:200] or type(error).__name__
         raise ClusterError(
-            f"There is no Dask scheduler to be reached at {address} ({reason}); start one with "
+            f"No Dask scheduler can be reached at {address} ({reason}); start one with "
             "`dask scheduler`, or check the address and, for tls://, Dask's security settings."
         ) from None
     yield client

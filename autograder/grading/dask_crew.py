@@ -85,7 +85,7 @@ class Crew:
                 raise ClusterError(
                     "The scheduler has no workers; start some with `dask worker ADDRESS`."
                     if not states
-                    else "The workers do not get ready; look at what they print."
+                    else "The workers did not get ready; look at their output."
                 )
             time.sleep(0.05)
 

@@ -156,7 +156,7 @@ class Slots:
             Reschedule: if the sandboxes were ended meanwhile: what came out says nothing.
         """
         order = unpack_order(data)
-        marker = self._marker(order.seed)
+        marker = self._marker(order.seed).with_set(order.set_number)
         sandbox = self._take(order.seed)
         try:
             graded = grade_submission(
@@ -183,7 +183,7 @@ class Slots:
     def _marker(self, seed: int) -> Marker:
         with self._lock:  # probes are drawn once, before several threads ask for them
             if seed not in self._markers:
-                marker = Marker(self._course, seed)
+                marker = Marker(self._course, seed, tells=False)
                 marker.prepare()
                 self._markers = {seed: marker}  # a term's regrading has many seeds
             return self._markers[seed]

@@ -17,7 +17,8 @@ class Graded:
     """The marks of one submission, in the order of the course's questions.
 
     ``status`` is ``graded`` or ``unreadable``; ``notes`` say what was odd about the files;
-    ``seconds`` is how long running and marking took.
+    ``seconds`` is how long running and marking took. What is doubtful was stopped by something that
+    neither its own time nor its own memory explains, as on a machine that has too much to do.
     """
 
     submission: Submission
@@ -26,6 +27,7 @@ class Graded:
     marks: tuple[Mark, ...]
     notes: tuple[str, ...] = ()
     seconds: float = 0.0
+    is_doubtful: bool = False
 
     @property
     def total(self) -> float:

@@ -11,10 +11,11 @@ from autograder.intake.submissions import Contents, Submission
 
 @dataclass(frozen=True)
 class Task:
-    """One submission that was read and is to be graded."""
+    """One submission that was read and is to be graded with a set of hidden inputs."""
 
     submission: Submission
     contents: Contents
+    set_number: int = 0
 
 
 class Spread(Protocol):
@@ -43,7 +44,7 @@ class Spread(Protocol):
         """Have a task graded; ``more`` are likely to follow.
 
         Raises:
-            SandboxError: if student code cannot be kept in there.
+            SandboxError: if student code cannot be isolated there.
         """
 
     def finished(self, wait: bool) -> list[Graded]:

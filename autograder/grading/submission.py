@@ -7,12 +7,13 @@ from collections.abc import Collection
 from dataclasses import replace
 
 from autograder.course import Course
-from autograder.errors import AutograderError
+from autograder.errors import AutograderError, machine_error
 from autograder.grading.chapter import grade_chapter
 from autograder.grading.graded import Graded, grader_failed, same_mark_for_all
 from autograder.intake.submissions import Contents, Submission
 from autograder.marking import Mark
 from autograder.marking.marker import Marker
+from autograder.sandbox.doubt import Doubt
 from autograder.sandbox.launcher import Sandbox
 
 
@@ -26,9 +27,11 @@ def grade_submission(
     """Grade one submission; an error of the grader's own costs this submission alone.
 
     Raises:
-        AutograderError: if the course or this machine is broken, not the submission.
+        AutograderError: if the course or this machine is broken, not the submission: no mark says
+            that there was no memory, no process or no room left here.
     """
     began = time.monotonic()
+    sandbox.doubt = Doubt()
     fingerprint, notes = contents.fingerprint, tuple(contents.notes)
     try:
         marks = tuple(grade_contents(contents, marker, sandbox, questions))
@@ -36,13 +39,17 @@ def grade_submission(
     except AutograderError:
         raise
     except Exception as error:
+        short = machine_error(error)
+        if short is not None:
+            raise short from None
         # No submission, whatever it did, may keep the others from being graded. Without a
         # fingerprint it is not taken for graded, and the next run tries again.
         said = grader_failed(error)
         marks = same_mark_for_all(marker.course, "killed", said, questions)
         fingerprint, notes = "", (*notes, said)
     seconds = time.monotonic() - began
-    return Graded(submission, "graded", fingerprint, marks, notes, seconds)
+    doubtful = sandbox.doubt.is_doubtful
+    return Graded(submission, "graded", fingerprint, marks, notes, seconds, doubtful)
 
 
 def grade_contents(

@@ -81,8 +81,9 @@ class Threads:
     def _grade(self, task: Task) -> Graded:
         sandbox = self._slots.idle.get()
         try:
+            marker = self._marker.with_set(task.set_number)
             return grade_submission(
-                task.submission, task.contents, self._marker, sandbox, self._questions
+                task.submission, task.contents, marker, sandbox, self._questions
             )
         finally:
             self._slots.idle.put(sandbox)

@@ -17,6 +17,7 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import IO
 
+from autograder.errors import raise_if_short
 from autograder.intake.notebook_reader import Unreadable
 
 MAX_RATIO = 250  # deflate reaches about 1000; notebooks stay below 50
@@ -225,7 +226,12 @@ def open_regular(path: Path) -> IO[bytes]:
 
 
 def damaged(error: Exception) -> Unreadable:
-    """What zipfile says of a broken archive, in a sentence."""
+    """What zipfile says of a broken archive, in a sentence.
+
+    Raises:
+        MachineError: if the error is not about the archive, but about this machine.
+    """
+    raise_if_short(error)
     text = " ".join(str(error).split()) or type(error).__name__
     text = "".join(c if c.isprintable() else "?" for c in text)[:120]
     return Unreadable(f"The zip is damaged ({text}); make it again.")

@@ -236,7 +236,7 @@ def _students(entries: Any, zone: tzinfo | None, path: Path) -> tuple[Person, ..
             if called and taken.setdefault(called, student.name) != student.name:
                 raise CourseError(
                     f"{student.name} and {taken[called]} in {path} share {called!r}; "
-                    "a submission could not be told whose it is."
+                    "so a submission under it could be either's."
                 )
         students.append(student)
     return tuple(students)
@@ -249,14 +249,14 @@ def _zone(late: dict[str, Any], path: Path) -> tzinfo | None:
         return ZoneInfo(str(late["zone"]))
     except (ZoneInfoNotFoundError, ValueError, OSError):
         raise CourseError(
-            f"{late['zone']!r} in {path} is no known time zone; write one such as "
+            f"{late['zone']!r} in {path} is not a known time zone; write one such as "
             '"Europe/Zurich" (on Windows, `pip install tzdata` first).'
         ) from None
 
 
 def _time(value: Any, zone: tzinfo | None, where: str) -> datetime:
     if not isinstance(value, datetime):
-        raise CourseError(f"{where} is no date and time; write 2026-11-20T23:59:00.")
+        raise CourseError(f"{where} is not a date and time; write 2026-11-20T23:59:00.")
     if value.tzinfo is not None:
         return value
     if zone is None:

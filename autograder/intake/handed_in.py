@@ -15,6 +15,7 @@ from pathlib import PurePosixPath
 from typing import Protocol
 
 from autograder.course import Settings
+from autograder.errors import raise_if_short
 from autograder.intake.archive import Archive, archive_from_bytes, shown
 from autograder.intake.names import moodle_name, rest_of
 from autograder.intake.notebook_reader import SUBMITTED, Unreadable
@@ -137,6 +138,7 @@ def read_files(pieces: Sequence[Piece], settings: Settings) -> Files:
             else:
                 _read_single(place, PurePosixPath(rest_of(name)), files, order)
         except OSError as error:
+            raise_if_short(error)
             reasons.append(f"{shown(name)} cannot be opened: {error.strerror or error}.")
         except Unreadable as unreadable:
             if len(pieces) == 1:

@@ -62,7 +62,7 @@ def parse_notebook(data: bytes, name: str) -> Notebook:
     document = parse_json(data, name)
     if not isinstance(document, dict):
         raise Unreadable(
-            f"{name} is no notebook: it holds {_kind(document)} of JSON; save it again."
+            f"{name} is not a notebook: it holds {_kind(document)} of JSON; save it again."
         )
     sheets = document.get("worksheets")
     if isinstance(document.get("cells"), list):
@@ -75,7 +75,9 @@ def parse_notebook(data: bytes, name: str) -> Notebook:
             for cell in sheet["cells"]
         ]
     else:
-        raise Unreadable(f"{name} is no notebook: it has no list of cells; save it from Jupyter.")
+        raise Unreadable(
+            f"{name} is not a notebook: it has no list of cells; save it from Jupyter."
+        )
 
     sources: list[str] = []
     receipts: dict[str, Any] = {}
@@ -84,7 +86,7 @@ def parse_notebook(data: bytes, name: str) -> Notebook:
         notes.append(f"{name} is in an old notebook format (nbformat {document['nbformat']}).")
     for cell in cells:
         if not isinstance(cell, dict):
-            notes.append(f"{name} holds a cell that is no cell; it was left out.")
+            notes.append(f"{name} holds something that is not a cell; it was left out.")
         elif cell.get("cell_type") == "code":
             sources.append(_source(cell))
             receipts |= _receipts(cell)
@@ -118,10 +120,10 @@ def parse_json(data: bytes, name: str) -> Any:
         raise Unreadable(
             f"{name} is damaged (line {error.lineno}: {error.msg.lower()}); save it again."
         ) from None
-    except MemoryError:
-        raise Unreadable(f"{name} {_TOO_LARGE}") from None
     except (RecursionError, ValueError):  # ValueError: an integer of 5,000 digits
-        raise Unreadable(f"{name} holds data that no notebook holds; save it again.") from None
+        raise Unreadable(
+            f"{name} holds data that does not belong in a notebook; save it again."
+        ) from None
 
 
 def _source(cell: dict[str, Any]) -> str:

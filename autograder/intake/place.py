@@ -10,6 +10,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import Protocol
 
+from autograder.errors import raise_if_short
 from autograder.intake.archive import Archive, open_archive, open_regular, shown
 from autograder.intake.notebook_reader import Unreadable
 from autograder.intake.origin import Piece
@@ -194,7 +195,10 @@ def as_folder_if_readable(place: Place) -> Place | None:
     """As `as_folder`, None for a zip that cannot be opened: reading it will say why."""
     try:
         return as_folder(place)
-    except (Unreadable, OSError):
+    except Unreadable:
+        return None
+    except OSError as error:
+        raise_if_short(error)
         return None
 
 

@@ -2,61 +2,55 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-from typing import Any
+from typing import Annotated
 
-from autograder.kinds.toml_table import Table
+from msgspec import Meta, field
+
+from autograder.kinds.written import Credit, Text, Written
 
 
-@dataclass(frozen=True)
-class Alternative:
+class Alternative(Written, frozen=True, kw_only=True):
     """One recognisable response, right or wrong, with its credit from 0 to 1 and its feedback."""
 
-    name: str
-    credit: float
-    feedback: str
+    name: Text
+    credit: Credit
+    feedback: str = ""
 
     @property
     def is_mistake(self) -> bool:
         """Whether the response is wrong, or not quite right, in a known way."""
         return self.credit < 1
 
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if self.is_mistake and not self.feedback:
+            raise ValueError(f"the mistake {self.name!r} has no feedback")
 
-@dataclass(frozen=True)
-class Equivalent:
+
+class Equivalent(Written, frozen=True, kw_only=True):
     """A mutant of what is right that no input can tell from it, and why."""
 
-    mutant: str
-    why: str
+    mutant: Text
+    why: Text
 
 
-@dataclass(frozen=True)
-class Answer:
-    """The key to one question; ``code`` fills the solved notebook.
+class Answer(Written, frozen=True, kw_only=True):
+    """The key to one question, as ``solutions/answers/CHAPTER.toml`` has it.
 
+    ``id`` is the question's, which the table's name says. ``code`` fills the solved notebook.
     ``snapshot`` says whether a student bundle may check it on examples. ``equivalent`` are the
     mutants that need not lose any credit.
     """
 
-    id: str
-    explanation: str
-    code: str
-    alternatives: tuple[Any, ...]
-    snapshot: bool = field(default=True, kw_only=True)
-    equivalent: tuple[Equivalent, ...] = field(default=(), kw_only=True)
+    id: str = ""
+    explanation: Annotated[str, Meta(description="shown once a response was marked, Markdown")] = ""
+    code: Annotated[str, Meta(description="what fills the solved notebook")] = ""
+    alternatives: tuple[Alternative, ...] = field(default=(), name="alternative")
+    snapshot: bool = True
+    equivalent: tuple[Equivalent, ...] = ()
 
-
-def read_alternative(table: Table, credit: Any = ...) -> dict[str, Any]:
-    """The fields that every alternative has, from its table.
-
-    Raises:
-        CourseError: if one is missing or wrong.
-    """
-    fields: dict[str, Any] = {
-        "name": table.text("name"),
-        "credit": float(table.number("credit", credit)),
-        "feedback": table.text("feedback", ""),
-    }
-    if not 0 <= fields["credit"] <= 1:
-        raise table.error("credit must be between 0 and 1")
-    return fields
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        names = [alternative.name for alternative in self.alternatives]
+        if len(set(names)) != len(names):
+            raise ValueError("two alternatives have the same name")

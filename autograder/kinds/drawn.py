@@ -15,11 +15,15 @@ class Drawn:
     ``shows_first`` says that students are shown what their function returns for the first case. The
     case is then asked in a probe of its own, `opening`, and the others later, in `rest`: student
     code can look into its callers, and would find the hidden inputs that come with the public one.
+
+    ``tells`` says that feedback may tell what happened on hidden inputs (which exception, or why
+    a value cannot be compared), as where no page of feedback goes back to whoever wrote the code.
     """
 
     probe: dict[str, Any]
     expected: Any = None
     shows_first: bool = False
+    tells: bool = True
 
     @property
     def opening(self) -> dict[str, Any] | None:

@@ -19,7 +19,6 @@ from autograder.kinds.drawn import Drawn
 from autograder.kinds.exercise import Exercise
 from autograder.kinds.mark import Mark
 from autograder.kinds.question import Question
-from autograder.kinds.toml_table import Table
 from autograder.marking.mutants.mutant import Trial
 
 Q = TypeVar("Q", bound=Question)
@@ -34,9 +33,14 @@ class Kind(ABC, Generic[Q, A]):
     """
 
     name: ClassVar[str]
+    # The tables that an author writes, by whose fields they are read.
+    question_type: ClassVar[type[Question]]
+    answer_type: ClassVar[type[Answer]]
     # The module whose ``evaluate(response, probe)`` runs beside a student's code; without one it is
     # ``autograder.kinds.NAME.inside.evaluate``.
     inside: ClassVar[str] = ""
+    # The fields of its key that are formulas of a question's variables, where it has any.
+    formulas: ClassVar[tuple[str, ...]] = ()
     # Whether each part of a response is a small question of its own, with its own feedback, so that
     # what is wrong is told by the part and not by the alternative that matched.
     parts_stand_alone: ClassVar[bool] = False
@@ -48,22 +52,11 @@ class Kind(ABC, Generic[Q, A]):
 
     # -- asked, and right ------------------------------------------------------------------------
 
-    @abstractmethod
-    def read_question(self, table: Table, common: dict[str, Any]) -> Q:
-        """The question in an author's table; ``common`` holds what every question has but points.
+    def check_answer(self, question: Q, answer: A) -> None:
+        """Whether a key fits its question, beyond what the types of its fields say.
 
         Raises:
-            CourseError: if a field is missing or wrong.
-        """
-
-    @abstractmethod
-    def read_answer(
-        self, question: Q, table: Table, alternatives: list[Table], common: dict[str, Any]
-    ) -> A:
-        """The key in an author's table; ``common`` holds id, explanation, code and snapshot.
-
-        Raises:
-            CourseError: if it does not fit the question.
+            ValueError: if not; its text is the problem alone.
         """
 
     # -- understood ------------------------------------------------------------------------------
@@ -235,9 +228,12 @@ class Kind(ABC, Generic[Q, A]):
         """
         return None
 
-    def variant(self, question: Q, function: Callable[..., Any]) -> Any:
-        """The response that a function of ``solutions/variants`` stands for."""
-        return function()
+    def variant(self, question: Q, written: Any) -> Any:
+        """The response that an entry of ``solutions/variants`` stands for.
+
+        It was written by the course's author: a function, or a text as a student types it.
+        """
+        return written
 
     def promises(self, answer: A, root: Path, drawn: Drawn) -> list[tuple[str, list[str]]]:
         """What a prompt promises to raise, and the names of the cases that test it."""

@@ -10,6 +10,13 @@ from autograder.kinds.status import Status
 
 STATUSES = tuple(str(status) for status in Status)
 
+# Said once of a question, whatever came and on however many hidden inputs: which exception it was,
+# and where, could carry a hidden input to the page of feedback.
+NO_VALUE = (
+    "On at least one of these it gives nothing that can be compared: it raises an exception, "
+    "changes its input, or returns something of another kind."
+)
+
 
 @dataclass(frozen=True)
 class Part:

@@ -1,4 +1,4 @@
-"""The nine statuses of a mark, each with its sign, its words and its color in one table."""
+"""The nine statuses of a mark, each with its sign, its words and its colour in one table."""
 
 from __future__ import annotations
 

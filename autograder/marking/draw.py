@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import zlib
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
@@ -26,3 +27,27 @@ def draw(question: Question, answer: Answer, seed: int, root: Path) -> Drawn:
 def random_numbers(question: Question, seed: int) -> np.random.Generator:
     """Where the hidden points or inputs of a question come from."""
     return np.random.default_rng([seed, zlib.crc32(question.id.encode())])
+
+
+# How many sets of hidden inputs those share who hand in other work for the same time: drawing a set
+# runs every reference and every mistake of the key, which is too dear to do for each student.
+SETS = 2
+
+
+def set_number(student: str, fingerprint: str, works: Sequence[str]) -> int:
+    """Which set of hidden inputs some work of a student is marked with.
+
+    ``works`` are the fingerprints of what the student handed in until now, in that order. The first
+    work has set 0. Other work has a set that the student has met in no page of feedback before, so
+    that what one says of hidden inputs is worth nothing; the same work always has the same set.
+    """
+    position = works.index(fingerprint) if fingerprint in works else len(works)
+    if position == 0:
+        return 0
+    chance = zlib.crc32(f"{student}\0{fingerprint}".encode("utf-8", "surrogatepass"))
+    return 1 + (position - 1) * SETS + chance % SETS
+
+
+def seed_of_set(seed: int, number: int) -> int:
+    """The seed of a set of hidden inputs in a run with some seed."""
+    return seed if number == 0 else zlib.crc32(f"{seed}:{number}".encode())

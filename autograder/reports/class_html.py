@@ -240,7 +240,7 @@ def _mistakes(mistakes: Sequence[Mistake], links: Links) -> str:
     if named:
         body += _mistake_table("Known mistakes, by how many students made them", named, links)
     if others:
-        body += _mistake_table("Where responses fail that are like no known mistake", others, links)
+        body += _mistake_table("Where responses fail that match no known mistake", others, links)
     return body
 
 

@@ -10,20 +10,29 @@ from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
+from autograder.errors import machine_error
+
 _RESERVED = {"con", "prn", "aux", "nul"} | {f"{d}{n}" for d in ("com", "lpt") for n in range(10)}
 _LONGEST = 120  # bytes
 
 
 @contextmanager
 def replacing(path: Path) -> Iterator[Path]:
-    """A path to write to, which takes the place of ``path`` once all of it was written."""
-    path.parent.mkdir(parents=True, exist_ok=True)
+    """A path to write to, which takes the place of ``path`` once all of it was written.
+
+    Raises:
+        MachineError: if there is no room, or no right to write there.
+    """
     unfinished = path.with_name(path.name + ".tmp")
     try:
-        yield unfinished
-        os.replace(unfinished, path)
-    finally:
-        unfinished.unlink(missing_ok=True)
+        path.parent.mkdir(parents=True, exist_ok=True)
+        try:
+            yield unfinished
+            os.replace(unfinished, path)
+        finally:
+            unfinished.unlink(missing_ok=True)
+    except OSError as error:
+        raise machine_error(error, str(path)) or error from None
 
 
 def write_text(path: Path, text: str) -> None:

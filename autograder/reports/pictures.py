@@ -69,8 +69,8 @@ def draw(described: dict[str, Any]) -> str:
         return ""
     low, high = everything.min(axis=0), everything.max(axis=0)
     reach = max(float((high - low).max()), 1e-6) * 1.12
-    center = (low + high) / 2
-    x_range, y_range = ((float(c) - reach / 2, float(c) + reach / 2) for c in center)
+    centre = (low + high) / 2
+    x_range, y_range = ((float(c) - reach / 2, float(c) + reach / 2) for c in centre)
     chart = Chart(_SIZE, _SIZE - 22, x_range, y_range, left=54, right=10, top=10, bottom=44)
     # Equal scales: the inner area is square.
     chart.height = _SIZE - 54 - 10 + 10 + 44

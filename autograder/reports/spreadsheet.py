@@ -116,7 +116,9 @@ def _points(said: str, where: str) -> float | None:
     except ValueError:
         points = -1.0
     if not 0 <= points < float("inf"):
-        raise UsageError(f"{where}: {said!r} are no points; give a number of at least 0, or none.")
+        raise UsageError(
+            f"{where}: {said!r} is not a number of points; give a number of at least 0, or none."
+        )
     return round(points, 2)
 
 

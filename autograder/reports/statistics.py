@@ -137,7 +137,7 @@ def _troubles(
     elif discrimination is not None and discrimination < LOW_DISCRIMINATION:
         troubles.append("Doing well here says little about doing well elsewhere: is it ambiguous?")
     if difficulty == 0:
-        troubles.append("Nobody has a point: check the key.")
+        troubles.append("Nobody earned a point: check the key.")
     elif difficulty < 0.2:
         troubles.append("Very few points are earned: is something missing from the prompt?")
     stopped = sum(statuses[status] for status in STOPPED)

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from autograder.course import Course
+from autograder.errors import MachineError
 
 
 @dataclass(frozen=True)
@@ -27,16 +28,24 @@ def run_doctor(course: Course) -> list[Finding]:
             Finding(
                 "grading",
                 False,
-                f"Submissions can be kept in only on Linux; this is {platform.system()}.",
-                "Grade in WSL or in a Linux container, or with --no-sandbox what you trust.",
+                f"Submissions can be isolated only on Linux; this is {platform.system()}.",
+                "Grade in WSL or in a Linux container, or --no-sandbox for submissions you trust.",
             )
         ]
+    from autograder.sandbox.room import require_room
     from autograder.sandbox.tiers import tiers
 
     findings = _parts()
+    try:
+        require_room(course.settings)
+    except MachineError as short:
+        return [*findings, Finding("grading", False, str(short))]
     best = None
     for tier in tiers(course):
-        works = tier.try_out()
+        try:
+            works = tier.try_out()
+        except MachineError as short:
+            return [*findings, Finding("grading", False, str(short))]
         tier.stop_unused()
         findings += _attempts(tier)
         if works and best is None:
@@ -47,7 +56,7 @@ def run_doctor(course: Course) -> list[Finding]:
                 "grading",
                 False,
                 "No kind of isolation works here: grading refuses to run submissions.",
-                "Mend one of the above, or grade what you trust with --no-sandbox.",
+                "Fix one of the above, or grade submissions you trust with --no-sandbox.",
             )
         )
     else:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import json
 import os
 import shutil
@@ -18,7 +19,7 @@ from typing import Any
 
 import autograder
 from autograder.course import Settings
-from autograder.errors import AutograderError
+from autograder.errors import AutograderError, MachineError, machine_error, short_of
 from autograder.exchange.channel import Channel
 from autograder.sandbox import bubblewrap, landlock, seccomp
 from autograder.sandbox.bytecode import stale_modules
@@ -54,14 +55,18 @@ class Host:
         self._identity = self._own_identity.number
         self._own_folder = OwnFolder()
         self._folder = self._own_folder.path
+        self._scratch: Path | None = None  # where student code may write on this machine's disk
         try:
             stage(root, self._folder)
             compile_libraries()
             start = self._start_inside if with_namespaces else self._start_beside
             self._process, self._control = start(root)
-        except BaseException:
+        except BaseException as error:
             self._own_folder.remove()
             self._own_identity.release()
+            if isinstance(error, OSError | MemoryError | RuntimeError):
+                short = machine_error(error, str(self._folder))
+                raise short or HostError(f"The sandbox cannot be started: {error}.") from None
             raise
 
     def wait_until_ready(self) -> None:
@@ -69,6 +74,7 @@ class Host:
 
         Raises:
             HostError: if it does not start.
+            MachineError: if this machine is short of what it needs.
         """
         if self._ready:
             return
@@ -76,7 +82,8 @@ class Host:
         if message != {"ready": True}:
             said = self._said()
             self.stop()
-            raise HostError(f"The sandbox did not start: {said}")
+            short = self._short(message) or _short_by(said)
+            raise short or HostError(f"The sandbox did not start: {said}")
         self._ready = True
 
     def open(self, limits: dict[str, Any], seed: int) -> Channel:
@@ -84,11 +91,16 @@ class Host:
 
         Raises:
             HostError: if the zygote does not answer; then `stop` it.
+            MachineError: if this machine is short of what a notebook may use.
         """
         self.wait_until_ready()
+        self._require_room()
         self._number += 1
         self._gone: dict[str, Any] | None = None
-        ours, theirs = socket.socketpair()
+        try:
+            ours, theirs = socket.socketpair()
+        except OSError as error:
+            raise machine_error(error) or error from None
         with theirs:
             message = {"start": self._number, "seed": seed, **limits}
             try:
@@ -97,21 +109,21 @@ class Host:
                 ours.close()
                 raise HostError("The sandbox has ended.") from None
         try:
-            self._expect({"started": self._number})
-        except HostError:
+            self._expect("started")
+        except AutograderError:
             ours.close()
             raise
         cap = int(self._settings.output_mb * 2**20)
         return Channel(ours, max_json=cap, max_arrays=cap)
 
-    def close(self) -> None:
-        """End the child and everything that it started.
+    def close(self) -> float:
+        """End the child and everything that it started; the seconds of its own that it had.
 
         Raises:
             HostError: if the zygote does not answer; then `stop` it.
         """
         self._tell({"end": self._number})
-        self._expect({"ended": self._number})
+        return float(self._expect("ended").get("had", 0.0))
 
     def own_time(self, since: float) -> float | None:
         """The child's own seconds since a moment, as `OwnTime` counts; None if it has ended.
@@ -169,14 +181,17 @@ class Host:
         except OSError:
             raise HostError("The sandbox has ended.") from None
 
-    def _expect(self, answer: dict[str, Any]) -> None:
+    def _expect(self, word: str) -> dict[str, Any]:
         deadline = time.monotonic() + _ANSWER_SECONDS
         while True:
             message = self._hear(deadline)
             if message is None:
                 raise HostError("The sandbox does not answer.")
-            if message == answer:
-                return
+            if message.get(word) == self._number:
+                return message
+            if message.get("not started") == self._number:
+                short = self._short(message)
+                raise short or HostError(f"A notebook could not be started: {self._said()}")
 
     def _hear(self, deadline: float) -> dict[str, Any] | None:
         self._control.settimeout(max(0.0, deadline - time.monotonic()) or 0.001)
@@ -185,6 +200,24 @@ class Host:
         except OSError:
             return None
         return dict(json.loads(data)) if data else None
+
+    def _require_room(self) -> None:
+        """Refuse to begin where the disk has less room than a notebook may use."""
+        if self._scratch is None:
+            return  # it is in memory, and has a size of its own
+        state = os.statvfs(self._scratch)
+        too_few = state.f_files > 0 and state.f_favail < self._settings.files
+        if too_few or state.f_bavail * state.f_frsize < self._settings.files_mb * 2**20:
+            raise MachineError(
+                f"A notebook may write {self._settings.files_mb} MB in {self._settings.files} "
+                f"files, and there is less room than that in {self._scratch.parent.parent}. Make "
+                "room there, name another folder with TMPDIR, or allow less (files_mb in "
+                "[tool.autograder]); then grade again."
+            )
+
+    def _short(self, message: dict[str, Any] | None) -> MachineError | None:
+        number = (message or {}).get("short")
+        return short_of(number, str((message or {})["where"])) if number else None
 
     def _said(self) -> str:
         """The last line that the process wrote about its end."""
@@ -237,6 +270,7 @@ class Host:
             (course / "data").symlink_to(root / "data")
         if (root / "pyproject.toml").is_file():
             shutil.copy(root / "pyproject.toml", course)
+        self._scratch = scratch
         if self._identity:
             os.chmod(self._folder, 0o711)
             os.chown(scratch, self._identity, self._identity)
@@ -314,6 +348,20 @@ class Host:
         with suppress(OSError):  # if it has ended already, `wait_until_ready` says so
             ours.send(json.dumps({"set up": message}).encode())
         return process, ours
+
+
+def _short_by(said: str) -> MachineError | None:
+    """What the last words of a process that did not start say about this machine."""
+    if "MemoryError" in said or os.strerror(errno.ENOMEM) in said:
+        return short_of(errno.ENOMEM)
+    if os.strerror(errno.EMFILE) in said:
+        return short_of(errno.EMFILE)
+    # From bubblewrap these mean that no namespace can be made, which is a matter of rights.
+    if not said.startswith("bwrap:"):
+        for number in (errno.ENOSPC, errno.EAGAIN):
+            if os.strerror(number) in said:
+                return short_of(number)
+    return None
 
 
 def _is_closed(folder: Path) -> bool:

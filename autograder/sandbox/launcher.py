@@ -13,6 +13,7 @@ from typing import Any, Literal, cast
 
 from autograder.course import Course
 from autograder.errors import AutograderError
+from autograder.sandbox.doubt import Doubt
 from autograder.sandbox.stopped import Stopped
 
 __all__ = [
@@ -35,7 +36,7 @@ else:
 
 
 class SandboxError(AutograderError):
-    """Student code cannot be kept in here; the sentence says why and what to do."""
+    """Student code cannot be isolated here; the sentence says why and what to do."""
 
 
 class Sandbox:
@@ -43,7 +44,8 @@ class Sandbox:
 
     ``isolation`` names what keeps student code in, for reports. It may be chosen: ``auto`` takes
     the best of ``bubblewrap`` and ``reduced`` that works here, ``none`` is nothing but a process
-    of its own. The same ``seed`` makes code that uses chance repeat itself.
+    of its own. The same ``seed`` makes code that uses chance repeat itself. ``doubt`` is what its
+    sessions since it was set leave in doubt.
 
     Raises:
         SandboxError: on entering, if no isolation works here.
@@ -61,6 +63,7 @@ class Sandbox:
         self._sessions: list[Any] = []
         self._stopped = threading.Event()
         self.isolation = NO_SANDBOX
+        self.doubt = Doubt()
 
     def __enter__(self) -> Sandbox:
         if not self._plain:
@@ -83,7 +86,8 @@ class Sandbox:
 
             session: Any = PlainSession(self._course, deadline)
         else:
-            session = Session(self._take_host, self._course.settings, self._seed, deadline)
+            settings = self._course.settings
+            session = Session(self._take_host, settings, self._seed, deadline, self.doubt)
         self._sessions = [session]
         return cast("Session", session)
 
@@ -130,7 +134,7 @@ def isolation_parts(course: Course, isolation: Isolation = "auto") -> tuple[str,
 def _tier(course: Course, isolation: Isolation) -> Any:
     if sys.platform != "linux":
         raise SandboxError(
-            "Submissions can be kept in only on Linux (on Windows use WSL, on a Mac a Linux "
+            "Submissions can be isolated only on Linux (on Windows use WSL, on a Mac a Linux "
             "container); --no-sandbox grades them with your own rights."
         )
     from autograder.sandbox.tiers import best_tier

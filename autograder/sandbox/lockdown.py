@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import errno
 import os
 import resource
 import signal
@@ -35,12 +36,19 @@ class Limits:
     file_mb: int
 
     def beside(self, tasks: int) -> Limits:
-        """The limits for a user who runs some tasks already."""
-        return replace(self, processes=self.processes + tasks + self.spare)
+        """The limits for a user who runs some tasks already; what is spare may be less."""
+        needed, allowed = self.processes + tasks, resource.getrlimit(resource.RLIMIT_NPROC)[1]
+        if allowed == resource.RLIM_INFINITY:
+            allowed = needed + self.spare
+        return replace(self, processes=max(needed, min(needed + self.spare, allowed)))
 
 
 def limit_resources(limits: Limits) -> None:
-    """Set the kernel's limits; memory counts from what the process has already."""
+    """Set the kernel's limits; memory counts from what the process has already.
+
+    Raises:
+        OSError: if this machine allows less than a notebook may use; the error names which limit.
+    """
     pages = int(Path("/proc/self/statm").read_text().split()[0])
     memory = pages * resource.getpagesize() + limits.memory_mb * 2**20
     for kind, value in (
@@ -52,11 +60,20 @@ def limit_resources(limits: Limits) -> None:
         (resource.RLIMIT_MEMLOCK, 0),
         (resource.RLIMIT_MSGQUEUE, 0),
     ):
-        resource.setrlimit(kind, (value, value))
+        _limit(kind, value, value)
     # Were both alike, the kernel would kill without the signal that says why.
-    resource.setrlimit(resource.RLIMIT_CPU, (limits.cpu_seconds, limits.cpu_seconds + 1))
+    _limit(resource.RLIMIT_CPU, limits.cpu_seconds, limits.cpu_seconds + 1)
     # A file over the limit is an error in the code that writes it, not the end of the process.
     signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+
+
+def _limit(kind: int, soft: int, hard: int) -> None:
+    allowed = resource.getrlimit(kind)[1]
+    if allowed != resource.RLIM_INFINITY and allowed < hard:
+        # The course says what a student may use: less would become a mark.
+        number = {resource.RLIMIT_AS: errno.ENOMEM, resource.RLIMIT_NOFILE: errno.EMFILE}
+        raise OSError(number.get(kind, errno.EAGAIN), "a limit is too low")
+    resource.setrlimit(kind, (soft, hard))
 
 
 def drop_rights(identity: int, keep_reading: bool) -> None:
@@ -104,10 +121,13 @@ def adopt_orphans() -> None:
     _prctl(_SET_CHILD_SUBREAPER, 1)
 
 
-def give_way() -> None:
-    """Run only when nobody else wants the processor, the grader above all; for good."""
+def give_way(process: int) -> None:
+    """Let a process, and all it starts from now on, run only when nobody else wants the processor.
+
+    Being confined, it cannot take that back.
+    """
     with suppress(OSError):
-        os.sched_setscheduler(0, os.SCHED_IDLE, os.sched_param(0))
+        os.sched_setscheduler(process, os.SCHED_IDLE, os.sched_param(0))
 
 
 def close_other_descriptors(*keep: int) -> None:

@@ -9,6 +9,7 @@ import select
 import signal
 import time
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -16,8 +17,9 @@ from autograder.course import Settings
 from autograder.exchange import wire
 from autograder.exchange.channel import Channel, Late
 from autograder.exchange.replies import clean_evaluation, clean_report
+from autograder.sandbox.doubt import Doubt
 from autograder.sandbox.host import Host, HostError, limits
-from autograder.sandbox.stopped import Stopped, out_of_time
+from autograder.sandbox.stopped import BY_THE_SYSTEM, Stopped, out_of_time
 
 GRACE = 1.0  # seconds between the child's own limit and the one kept here
 PATIENCE = 20  # times a limit: how long to wait for a child that is given no processor
@@ -44,8 +46,10 @@ class Session:
         settings: Settings,
         seed: int,
         deadline: float = math.inf,
+        doubt: Doubt | None = None,
     ) -> None:
         self._take_host = take_host
+        self._doubt = Doubt() if doubt is None else doubt
         self._deadline = deadline
         self._settings = settings
         self._seed = seed
@@ -113,7 +117,7 @@ class Session:
     def _ask_to_evaluate(self, name: str, probe: dict[str, Any]) -> dict[str, Any]:
         seconds = min(self._settings.question_seconds, self._deadline - time.monotonic())
         if seconds <= 0:  # running the notebook again took the rest
-            raise out_of_time()
+            raise self._out_of_time()
         message = {
             "do": "evaluate",
             "name": name,
@@ -126,6 +130,9 @@ class Session:
         if "reply" not in answer and self._was_interrupted:
             raise Stopped("timeout")
         if "reply" not in answer:
+            # The kernel, or the alarm that rings when a limit has passed many times over.
+            if answer.get("ended_by") in (signal.SIGKILL, signal.SIGALRM):
+                self._doubt.is_unexplained = True
             raise _stop_by(answer.get("ended_by"))
         return answer
 
@@ -157,6 +164,10 @@ class Session:
                 self._restart()
                 continue
             report = clean_report(answer.get("reply"), len(self._cells))
+            if "timeout" in report["errors"] and self._host is not None:
+                # All cells together had no time enough for one of them to have used its own up?
+                with suppress(HostError):
+                    self._doubt.look(self._host.own_time(began), settings.cell_seconds)
             for index, error in enumerate(report["errors"]):
                 if error == "timeout":
                     self._stopped_cells.setdefault(index, Stopped("timeout"))
@@ -194,11 +205,17 @@ class Session:
                     self._strays += 1
                 if self._strays > MAX_STRAY or self._stray_bytes > MAX_STRAY_BYTES:
                     raise wire.WireError("too many messages that answer nothing")
+        except _GivenUp:
+            self._close()
+            raise Stopped("timeout") from None
         except Late:
+            self._look_whether_it_was_slow()
             self._close()
             raise Stopped("timeout") from None
         except (EOFError, OSError, HostError, wire.WireError) as error:
             why = self._why_gone(error)
+            if not isinstance(error, wire.WireError) and why in ("", BY_THE_SYSTEM):
+                self._doubt.is_unexplained = True
             self._close()
             raise Stopped("killed", why) from None
 
@@ -206,7 +223,8 @@ class Session:
         """Wait for something to read from the child, or for news that it has gone.
 
         Raises:
-            Late: at the deadline, or when the child has had its time and does not react.
+            Late: at the deadline.
+            _GivenUp: when the child has had its time and does not react.
         """
         assert self._channel is not None
         assert self._host is not None
@@ -229,7 +247,7 @@ class Session:
         """Interrupt a child that has had its time, and later give it up.
 
         Raises:
-            Late: when it was given up.
+            _GivenUp: when it does not react.
             EOFError: if it has ended.
         """
         assert self._host is not None
@@ -242,7 +260,7 @@ class Session:
             if had < limit.seconds:
                 limit.due = time.monotonic() + limit.seconds - had
             elif self._was_interrupted:
-                raise Late
+                raise _GivenUp
             else:
                 self._was_interrupted = True
                 self._host.interrupt(only_forks=self._in_cell is None)
@@ -251,11 +269,24 @@ class Session:
 
     def _check_deadline(self) -> None:
         if time.monotonic() >= self._deadline:
-            raise out_of_time()
+            raise self._out_of_time()
+
+    def _out_of_time(self) -> Stopped:
+        self._doubt.ran_out = True
+        return out_of_time()
 
     def _note_cell(self, index: Any) -> None:
         if type(index) is int and 0 <= index < len(self._cells):
             self._in_cell = index
+
+    def _look_whether_it_was_slow(self) -> None:
+        """After the clock's limit: whether the child had much of its own time."""
+        assert self._host is not None
+        whole = self._limits[0]
+        try:
+            self._doubt.look(self._host.own_time(whole.since), whole.seconds)
+        except HostError:
+            self._doubt.is_unexplained = True
 
     def _why_gone(self, error: Exception) -> str:
         if isinstance(error, wire.WireError):
@@ -282,6 +313,7 @@ class Session:
             try:
                 self._channel = self._host.open(limits(self._settings), self._seed)
                 self._strays, self._stray_bytes = 0, 0
+                self._opened = time.monotonic()
                 return
             except HostError:
                 self._host.stop()  # the next one is new
@@ -294,9 +326,14 @@ class Session:
         self._channel.close()
         self._channel = None
         try:
-            self._host.close()
+            self._doubt.own_seconds += self._host.close()
         except HostError:
             self._host.stop()
+        self._doubt.open_seconds += time.monotonic() - self._opened
+
+
+class _GivenUp(Late):
+    """The child has had all of its own time, and was interrupted in vain."""
 
 
 @dataclass
@@ -336,5 +373,5 @@ def _stop_by(number: Any) -> Stopped:
     if number in (signal.SIGSEGV, signal.SIGBUS, signal.SIGFPE, signal.SIGILL, signal.SIGABRT):
         return Stopped("killed", f"it crashed ({signal.Signals(number).name})")
     if number == signal.SIGKILL:
-        return Stopped("killed", "it was ended by the system, as happens when memory runs out")
+        return Stopped("killed", BY_THE_SYSTEM)
     return Stopped("killed", "it ended its own process")

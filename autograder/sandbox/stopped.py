@@ -1,5 +1,7 @@
 """What is raised when student code did not answer."""
 
+BY_THE_SYSTEM = "it was ended by the system, as happens when memory runs out"
+
 
 class Stopped(Exception):
     """Student code did not answer.

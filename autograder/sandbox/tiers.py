@@ -11,12 +11,14 @@ from threading import Lock
 from typing import Any
 
 from autograder.course import Course
+from autograder.errors import MachineError, machine_error
 from autograder.exchange.channel import Late
 from autograder.exchange.wire import WireError
 from autograder.sandbox import bubblewrap, landlock, seccomp
 from autograder.sandbox.host import Host, HostError, limits
 from autograder.sandbox.launcher import SandboxError
 from autograder.sandbox.own_folder import OwnFolder
+from autograder.sandbox.room import require_room
 
 _TRIAL_PROCESSES = 6
 _TRIAL_BOMB = 66  # so many would mean that there is no limit; what the user runs may vary meanwhile
@@ -140,6 +142,7 @@ class Tier:
 
         Raises:
             HostError: if it cannot be started.
+            MachineError: if this machine is short of something.
         """
         return Host(self.course.root, self.course.settings, self.with_namespaces)
 
@@ -148,12 +151,20 @@ class Tier:
         return self._started.pop() if self._started else None
 
     def try_out(self) -> bool:
-        """Start a host and let student code try to get out of it."""
+        """Start a host and let student code try to get out of it.
+
+        Raises:
+            MachineError: if this machine is short of something; a weaker kind is no way out.
+        """
         began = time.monotonic()
         try:
             self._started.append(self.start())
             self.results = _try_to_get_out(self._started[-1], self.course)
-        except (HostError, OSError, EOFError, Late, WireError) as error:
+        except (HostError, OSError, EOFError, Late, WireError, MachineError) as error:
+            short = machine_error(error)
+            if short is not None:
+                self.stop_unused()
+                raise short from None
             self.problem = str(error) or "the trial did not end"
         failed = [TRIALS[name][1] for name, held in self.results.items() if not held]
         if failed:
@@ -209,7 +220,9 @@ def best_tier(course: Course, wanted: str = "auto") -> Tier:
 
     Raises:
         SandboxError: if none works; the sentence says why and what to do.
+        MachineError: if this machine allows less than a notebook may use.
     """
+    require_room(course.settings)
     with _lock:
         tried = _best.get((course.root, wanted))
         if tried is not None:
@@ -224,7 +237,7 @@ def best_tier(course: Course, wanted: str = "auto") -> Tier:
                 return tier
             problems.append(f"{tier.name}: {tier.problem.rstrip('.')}")
     raise SandboxError(
-        f"Submissions cannot be kept in on this machine ({'; '.join(problems)}). "
+        f"Submissions cannot be isolated on this machine ({'; '.join(problems)}). "
         f"{advice()} `autograder doctor` shows each attempt; --no-sandbox grades with your own "
         "rights, only for submissions that you trust."
     )
@@ -266,7 +279,7 @@ def _try_to_get_out(host: Host, course: Course) -> dict[str, bool]:
         allowed["usage"]["processes"] = 2 * _TRIAL_BOMB
         channel = host.open(allowed, seed=0)
         try:
-            deadline = time.monotonic() + _TRIAL_SECONDS
+            deadline = time.monotonic() + 6 * _TRIAL_SECONDS  # this machine may have much to do
             message: dict[str, Any] = {
                 "do": "run",
                 "nonce": "trial",

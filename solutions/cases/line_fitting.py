@@ -38,6 +38,11 @@ def fit_line_cases(rng: np.random.Generator) -> list[Case]:
         {"name": "a vertical wall", "args": [_wall(rng, 4.0, math.pi)]},
         {"name": "a horizontal wall", "args": [_wall(rng, 4.0, math.pi / 2)]},
         {"name": "a horizontal wall", "args": [_wall(rng, 4.0, -math.pi / 2)]},
+        # Nearer than a metre, on all sides.
+        *(
+            {"name": "a wall close to the origin", "args": [_wall(rng, r, turn + tilt)]}
+            for r, turn in zip(rng.uniform(0.2, 0.8, 4), np.arange(4) * math.pi / 2, strict=True)
+        ),
         {"name": "a short, rough wall", "args": [_wall(rng, 2.0, tilt, length=0.5, noise=0.1)]},
         {"name": "a wall through the origin", "args": [_wall(rng, 0.0, tilt)]},
     ]
@@ -58,8 +63,9 @@ def fit_line_cases(rng: np.random.Generator) -> list[Case]:
     cases.append({"name": "two points", "args": [rng.uniform(1.0, 4.0, (2, 2))]})
     # Whole numbers, four of them: sums and means are exact, and so is what they say.
     spot = rng.integers(-9, 9, 2).astype(float)
-    corners = spot + rng.integers(1, 5) * np.array([[1.0, 1], [1, -1], [-1, 1], [-1, -1]])
-    turned = spot + rng.integers(1, 5) * np.array([[2.0, 1], [-1, 2], [-2, -1], [1, -2]])
+    aside = spot + 40.0  # farther from the origin than they are wide
+    corners = aside + rng.integers(1, 5) * np.array([[1.0, 1], [1, -1], [-1, 1], [-1, -1]])
+    turned = aside + rng.integers(1, 5) * np.array([[2.0, 1], [-1, 2], [-2, -1], [1, -2]])
     cases += [
         {"name": "fewer than two different points", "args": [np.tile(spot, (4, 1))]},
         {"name": "fewer than two different points", "args": [spot[None]]},

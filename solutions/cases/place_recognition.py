@@ -188,6 +188,10 @@ def l1_scores_cases(rng: np.random.Generator) -> list[Case]:
         {"name": "three images, equal weights", "args": [*by_hand], "public": True},
         {"name": "many words", "args": [histograms(1, 80)[0], histograms(12, 80), weights(80)]},
         {"name": "images of different size", "args": [histograms(1, 12)[0], sizes, weights(12)]},
+        {
+            "name": "one feature each, light words",
+            "args": [np.eye(12, dtype=int)[3], np.eye(12, dtype=int)[:6], 0.1 * weights(12)],
+        },
         {"name": "the query itself, twice as often", "args": [2 * same[3], same, weights(12)]},
         {"name": "an image that shares nothing", "args": [first_half, apart, weights(12)]},
         {"name": "an image without features", "args": [histograms(1, 12)[0], empty, weights(12)]},

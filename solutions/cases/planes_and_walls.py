@@ -38,6 +38,11 @@ def ransac_plane_cases(rng: np.random.Generator) -> list[Case]:
             "args": [_exact_plane(rng), threshold, 1, seed_of(rng)],
             "draws": (1, 30),
         },
+        {
+            "name": "no outliers, thirty iterations",
+            "args": [_exact_plane(rng), threshold, 30, seed_of(rng)],
+            "draws": (30, 30 * 30),  # a sample may be the head of a permutation
+        },
         {"name": "no iterations", "args": [cloud, threshold, 0, seed_of(rng)]},
         {
             "name": "all points on one line",
@@ -93,13 +98,33 @@ def find_walls_cases(rng: np.random.Generator) -> list[Case]:
         _room(rng, "nothing but people", (), 12, small, 1.0, clutter=14),
     ]
     wall = _exact_wall(rng)
-    cases.append(
+    threshold = cases[0]["args"][1]
+    # Too far from each other, and from the wall's line, to agree with anything else.
+    pair = np.mean(wall, axis=0) + 3 * np.array([[1.0, 0.0], [0.0, 1.0]])
+    spot = np.tile(rng.uniform(-1.0, 1.0, 2), (9, 1))
+    cases += [
         {
             "name": "one wall and nothing else",
-            "args": [wall, cases[0]["args"][1], 1, len(wall), seed_of(rng)],
+            "args": [wall, threshold, 1, len(wall), seed_of(rng)],
             "draws": (1, 4 * len(wall)),
-        }
-    )
+        },
+        {
+            "name": "walls of two points",
+            "args": [np.vstack([pair, wall]), threshold, 60, 2, seed_of(rng)],
+            "draws": (60, math.inf),
+        },
+        # No sample of what is left gives a line. That `ransac_line` raises then need not be caught.
+        {
+            "name": "the rest in one spot",
+            "args": [np.vstack([wall, spot]), threshold, 60, len(spot), seed_of(rng)],
+            "may_raise": "ValueError",
+        },
+        {
+            "name": "no iterations",
+            "args": [wall, threshold, 0, len(wall), seed_of(rng)],
+            "may_raise": "ValueError",
+        },
+    ]
     return [{**public, "public": True}, *cases]
 
 

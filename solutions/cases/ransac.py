@@ -23,6 +23,12 @@ def required_iterations_cases(rng: np.random.Generator) -> list[Case]:
     ):
         cases += [_well_posed(rng, name, s, low, high, up=up) for up in (True, False, True)]
     cases.append(_well_posed(rng, "a small probability", 2, 0.1, 0.2, (0.1, 0.4), up=False))
+    easy = [round(rng.uniform(0.2, 0.6), 3), round(rng.uniform(0.85, 0.95), 3), 2]
+    cases += [{"name": "one sample is enough", "args": args} for args in (easy, [1e-10, 0.5, 2])]
+    # A half and a quarter: their logarithms are one and two times the same number, also rounded.
+    cases += [
+        {"name": "exactly enough", "args": args} for args in ([0.75, 0.5, 1], [0.9375, 0.5, 1])
+    ]
     # Two, because chance may round one of them almost right without log1p.
     cases += [
         {"name": "hardly any inliers", "args": [0.95, rng.uniform(0.008, 0.01), 7]}
@@ -93,6 +99,11 @@ def ransac_line_cases(rng: np.random.Generator) -> list[Case]:
             "name": "no outliers, one iteration",
             "args": [exact, threshold, 1, seed_of(rng)],
             "draws": (1, 4 * len(exact)),
+        },
+        {
+            "name": "no outliers, thirty iterations",
+            "args": [exact, threshold, 30, seed_of(rng)],
+            "draws": (30, 30 * 4 * len(exact)),  # a sample may be the head of a permutation
         },
         {"name": "no iterations", "args": [cloud, threshold, 0, seed_of(rng)]},
         {"name": "all points equal", "args": [spot, threshold, 8, seed_of(rng)]},

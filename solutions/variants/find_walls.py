@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from solutions.ransac.fast.consensus import ransac_line as all_at_once
 from solutions.ransac.line import ransac_line
 
 
@@ -26,9 +27,10 @@ def a_mask(points, threshold, iterations, min_points, rng):
     free, walls = np.ones(len(points), dtype=bool), []
     while free.sum() >= min_points:
         indices = np.flatnonzero(free)
-        line, inliers = ransac_line(points[free], threshold, iterations, rng)
-        if len(inliers) < min_points:
+        consensus = all_at_once(points[free], threshold, iterations, rng)
+        if consensus is None or len(consensus.inliers) < min_points:
             return walls
+        line, inliers, _ = consensus
         walls.append([tuple(line), indices[inliers].tolist()])
         free[indices[inliers]] = False
     return walls
@@ -38,12 +40,10 @@ def numbered_points(points, threshold, iterations, min_points, rng):
     left, walls = dict(enumerate(points)), []
     while len(left) >= max(min_points, 2):
         numbers = list(left)
-        try:
-            found, inliers = ransac_line(np.array(list(left.values())), threshold, iterations, rng)
-        except ValueError:
+        consensus = all_at_once(np.array(list(left.values())), threshold, iterations, rng)
+        if consensus is None or len(consensus.inliers) < min_points:
             break
-        if len(inliers) < min_points:
-            break
+        found, inliers, _ = consensus
         wall = [numbers[i] for i in inliers]
         walls.append((found, np.array(wall)))
         for number in wall:
@@ -57,9 +57,10 @@ def labels(points, threshold, iterations, min_points, rng):
         left = np.where(label < 0)[0]
         if left.size < min_points:
             break
-        line, inliers = ransac_line(points[left], threshold, iterations, rng)
-        if inliers.size < min_points:
+        consensus = all_at_once(points[left], threshold, iterations, rng)
+        if consensus is None or consensus.inliers.size < min_points:
             break
+        line, inliers, _ = consensus
         label[left[inliers]] = len(lines)
         lines.append(line)
     return [(line, np.flatnonzero(label == number)) for number, line in enumerate(lines)]

@@ -45,7 +45,8 @@ def nothing_agrees_with_nan(points, threshold, iterations, rng):
         with np.errstate(invalid="ignore"):
             normal = np.cross(b - a, c - a)
             normal = normal / np.sqrt(normal @ normal)
-            inliers = [i for i, p in enumerate(points) if abs((p - a) @ normal) <= threshold]
+            offsets = abs((points - a) @ normal).tolist()
+            inliers = [i for i, offset in enumerate(offsets) if offset <= threshold]
         if len(inliers) > len(best):
             best = inliers
     if not best:

@@ -5,6 +5,7 @@ import ast
 import pytest
 
 from autograder.authoring.proof import prove_course
+from autograder.authoring.proof_by_mutants import prove_by_mutants, tried_styles
 from autograder.marking.mutants.edits import edited
 from autograder.marking.mutants.formula_edits import edited_formulas
 
@@ -69,18 +70,65 @@ def test_a_mutant_that_no_case_tells_is_shown_with_its_change(tiny_course):
     assert all("It passed two equal weights, many weights" in line for line in found)
 
 
-def test_right_work_in_other_clothes_has_to_earn_everything(tiny_course):
+@pytest.fixture
+def variants(tiny_course):
+    """The folder for right work in other clothes; all of it is right."""
+    folder = tiny_course.root / "solutions/variants"
+    folder.mkdir()
+    lines = ["from numpy import mean", "def _share(weights):", "    return 1 / len(weights)"]
+    for style in "abcd":
+        lines.append(f"def {style}(weights):")
+        lines.append("    return sum(w * _share(weights) for w in weights)")
+    (folder / "mean_weight.py").write_text("\n".join(lines))
+    forms = [
+        "2*a + 2*b",
+        "2*half",
+        "(a + b)*2",
+        "[a + b + a + b]",
+        "sp.expand(2*(a + b))",
+        "a+b+half",
+    ]
+    (folder / "typed.toml").write_text(f'"Q1.4" = {forms}')
+    return folder
+
+
+def test_right_work_in_other_clothes_is_found_tried_and_counted(tiny_course, variants):
+    assert prove_by_mutants(tiny_course.load()) == []
+    assert list(tried_styles(tiny_course.load())) == [
+        "Q1.4 is tried with right work in 6 other styles.",
+        "Q1.5 is tried with right work in 4 other styles.",
+    ]
+
+
+def test_right_work_in_other_clothes_has_to_earn_everything(tiny_course, variants):
+    with (variants / "mean_weight.py").open("a") as stream:
+        stream.write("\ndef total(weights):\n    return sum(weights)\n")
+    tiny_course.replace("solutions/variants/typed.toml", "2*half", "half")
+    half, total = prove_by_mutants(tiny_course.load())
+    assert half.startswith("Q1.4: the variant half must earn everything, but with seed 1 it gets")
+    assert total.startswith("Q1.5: the variant total must earn everything, but with seed 1 it gets")
+
+
+def test_a_variant_that_never_ends_is_told_and_does_not_hold_up_the_others(tiny_course, variants):
+    with (variants / "mean_weight.py").open("a") as stream:
+        stream.write("\ndef slow(weights):\n    while True:\n        pass\n")
+    (problem,) = prove_by_mutants(tiny_course.load())
+    assert "the variant slow must earn everything, but with seed 1 it takes more than" in problem
+
+
+def test_too_few_styles_and_files_for_no_question_are_told(tiny_course, variants):
+    (variants / "typed.toml").write_text('"Q1.4" = ["2*a + 2*b"]')
+    (variants / "median.py").write_text("")
+    unknown, few = prove_by_mutants(tiny_course.load())
+    assert "median.py has the name of no question's function" in unknown
+    assert few == "Q1.4: solutions/variants has right work in 1 other styles; write at least 6."
+
+
+def test_variants_of_a_question_that_is_not_there_are_an_error(tiny_course, variants):
     tiny_course.write_notebooks()
-    variants = tiny_course.root / "solutions/variants"
-    variants.mkdir()
-    lines = ["def mean_weight__sum(weights):", "    return sum(weights)"]
-    for style in "abc":
-        lines.append(f"def mean_weight__{style}(weights):")
-        lines.append("    return sum(w / len(weights) for w in weights)")
-    (variants / "kitchen.py").write_text("\n".join(lines))
-    found = [line for line in prove_course(tiny_course.root) if "Q1.5" in line]
-    assert len(found) == 1
-    assert "the variant mean_weight__sum must earn everything, but with seed 1" in found[0]
+    (variants / "typed.toml").write_text('"Q9.9" = ["1"]')
+    (problem,) = prove_course(tiny_course.root)
+    assert problem == "solutions/variants/typed.toml has 'Q9.9', which is not a question."
 
 
 def test_a_declared_mutant_is_let_pass_and_a_stale_declaration_is_an_error(tiny_course):

@@ -52,9 +52,9 @@ def test_an_override_is_in_the_csv_at_once_and_names_its_question(classroom: Cla
     [
         (("nobody", "Q3", "1", "--reason", "x"), "no student 'nobody'"),
         (("ada", "Q9", "1", "--reason", "x"), "no question 'Q9'"),
-        (("ada", "Q3", "much", "--reason", "x"), "'much' are no points"),
-        (("ada", "Q3", "nan", "--reason", "x"), "'nan' are no points"),
-        (("ada", "Q3", "-1", "--reason", "x"), "'-1' are no points"),
+        (("ada", "Q3", "much", "--reason", "x"), "'much' is not a number of points"),
+        (("ada", "Q3", "nan", "--reason", "x"), "'nan' is not a number of points"),
+        (("ada", "Q3", "-1", "--reason", "x"), "'-1' is not a number of points"),
         (("ada", "Q3", "1", "--reason", " "), "reason is empty"),
         (("ada", "Q3", "none", "--reason", "x"), "no override for Q3"),
     ],

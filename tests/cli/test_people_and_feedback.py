@@ -93,7 +93,7 @@ def test_a_spreadsheet_goes_out_and_comes_back(listed: Classroom, capsys, tmp_pa
     [
         ("eve,Q1,1", "no student 'eve'"),
         ("ada,Q9,1", "no question 'Q9'"),
-        ("ada,Q1,much", "'much' are no points"),
+        ("ada,Q1,much", "'much' is not a number of points"),
         ("ada,Q1,1\nada,Q1,2", "two rows for Q1"),
     ],
 )

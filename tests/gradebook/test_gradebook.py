@@ -164,7 +164,7 @@ def test_another_programs_database_is_refused(path: Path):
     db = sqlite3.connect(path)
     db.execute("CREATE TABLE recipes (name TEXT)")
     db.close()
-    with pytest.raises(GradebookError, match="no gradebook"):
+    with pytest.raises(GradebookError, match="not a gradebook"):
         Gradebook(path)
 
 

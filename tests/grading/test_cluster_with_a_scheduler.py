@@ -155,7 +155,7 @@ def test_without_a_scheduler_there_is_one_sentence(root, lab, monkeypatch, capsy
     more = ["--out", str(lab.root / "out"), "--cluster", lab.address]
     assert main([*arguments, *more]) == 1
     (sentence,) = capsys.readouterr().err.splitlines()
-    assert f"There is no Dask scheduler to be reached at {lab.address}" in sentence
+    assert f"No Dask scheduler can be reached at {lab.address}" in sentence
 
 
 def test_without_workers_there_is_one_sentence(root, lab, monkeypatch, capsys):

@@ -127,9 +127,9 @@ def test_a_folder_was_handed_in_when_its_newest_file_was(tmp_path: Path):
     [
         ("[late]\npercent_a_day = 10\n", "has no `due`"),
         ("[late]\ndue = 2026-10-23T23:59:00\n", "no time zone"),
-        ('[late]\ndue = "friday"\nzone = "UTC"\n', "no date and time"),
-        ('[late]\ndue = 2026-10-23\nzone = "UTC"\n', "no date and time"),
-        ('[late]\ndue = 2026-10-23T23:59:00\nzone = "Mars"\n', "no known time zone"),
+        ('[late]\ndue = "friday"\nzone = "UTC"\n', "not a date and time"),
+        ('[late]\ndue = 2026-10-23\nzone = "UTC"\n', "not a date and time"),
+        ('[late]\ndue = 2026-10-23T23:59:00\nzone = "Mars"\n', "not a known time zone"),
         ("[late]\ndue = 2026-10-23T23:59:00Z\npercent_a_day = 120\n", "from 0 to 100"),
         ("[late]\ndue = 2026-10-23T23:59:00Z\npercent = 12\n", "unknown entry 'percent'"),
         ("[[student]]\nid = 3\n", "has no name"),

@@ -182,11 +182,11 @@ def test_other_encodings_and_byte_order_marks_are_read(encoding):
         (notebook("x = 1")[:40], "is cut off"),
         (b'{"cells": [}', "is damaged|is cut off"),
         (b'{"cells": oops}' + b" " * 50, "is damaged"),
-        (b"[" * 100_000, "holds data that no notebook holds"),
-        (b'{"cells": [' + b"9" * 10_000 + b"]}", "holds data that no notebook holds"),
+        (b"[" * 100_000, "holds data that does not belong in a notebook"),
+        (b'{"cells": [' + b"9" * 10_000 + b"]}", "holds data that does not belong in a notebook"),
         (notebook(*["x"] * 3000), "more than 2000 code cells"),
         (notebook("x" * 3_000_000), "more than 2 million characters"),
-        (b'{"cells": [' + b"[" * 5_000_000, "holds data that no notebook holds"),
+        (b'{"cells": [' + b"[" * 5_000_000, "holds data that does not belong in a notebook"),
     ],
     ids=lambda value: str(value)[:30],  # some are too long for the name of a test
 )

@@ -20,48 +20,45 @@ from nbformat.v4 import new_code_cell, new_notebook
 KIND = '''
 """Two numbers: the ends of an interval."""
 
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
-from autograder.kinds.answer import Alternative, Answer, read_alternative
+from autograder.kinds.answer import Alternative, Answer
 from autograder.kinds.code import CodeKind
-from autograder.kinds.question import Question
+from autograder.kinds.question import PointedQuestion
 from autograder.kinds.mark import Mark, Part, status_for
+from msgspec import field
 
 
-@dataclass(frozen=True)
-class Interval(Question):
+class Interval(PointedQuestion, frozen=True, kw_only=True, tag="interval"):
     kind = "interval"
-    variable: str = ""
+    variable: str
 
     @property
     def name(self):
         return self.variable
 
 
-@dataclass(frozen=True)
-class Ends(Alternative):
+class Ends(Alternative, frozen=True, kw_only=True):
     ends: tuple[float, float]
 
+    def __post_init__(self):
+        super().__post_init__()
+        if self.ends[0] > self.ends[1]:
+            raise ValueError("the lower end comes first")
 
-class IntervalKind(CodeKind[Interval, Answer]):
+
+class IntervalAnswer(Answer, frozen=True, kw_only=True):
+    alternatives: tuple[Ends, ...] = field(default=(), name="alternative")
+
+
+class IntervalKind(CodeKind[Interval, IntervalAnswer]):
     name = "interval"
+    question_type = Interval
+    answer_type = IntervalAnswer
     inside = "notebooks.kinds.interval.inside.evaluate"
     parts_heading = "Ends"
-
-    def read_question(self, table, common):
-        return Interval(**common, points=table.points(), variable=table.python_name("variable"))
-
-    def read_answer(self, question, table, alternatives, common):
-        known = []
-        for entry in alternatives:
-            low, high = entry.take("ends", list)
-            if low > high:
-                raise entry.error("the lower end comes first")
-            known.append(Ends(**read_alternative(entry), ends=(low, high)))
-        return Answer(**common, alternatives=tuple(known))
 
     def mark_given(self, question, answer, drawn, response, understood):
         given = response.get("values")

@@ -14,11 +14,11 @@ A, B = sp.symbols("a b", real=True)
 
 def number(value: float, right: float, decimals: int | None = 2):
     question = Number(
-        id="Q9", title="", prompt="", hints=(), points=1, chapter="c",
-        variable="x", integer=decimals is None, decimals=decimals or 6,
+        id="Q9", title="t", prompt="p", hints=("h",), points=1, chapter="c",
+        variable="x", integer=decimals is None, decimals=decimals,
     )  # fmt: skip
-    known = (NumberAlternative("right", 1.0, "", right, None),)
-    return mark_number(question, NumberAnswer("Q9", "", "", known), value)
+    known = (NumberAlternative(name="right", credit=1.0, value=right),)
+    return mark_number(question, NumberAnswer(id="Q9", alternatives=known), value)
 
 
 @pytest.mark.parametrize(

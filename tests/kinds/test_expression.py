@@ -243,7 +243,7 @@ def rim_course(tmp_path_factory) -> TinyCourse:
 
 
 def alternative(expression: str, modulo: str | None = None) -> ExpressionAlternative:
-    return ExpressionAlternative("x", 1.0, "", expression, modulo)
+    return ExpressionAlternative(name="x", credit=1.0, expression=expression, modulo=modulo)
 
 
 ANGLES = {"x": np.linspace(-3.0, 3.0, 2 * POINT_COUNT)}

@@ -27,8 +27,14 @@ def answer_of(*alternatives: tuple[float, float], tolerance: float | None = None
         explanation="why",
         code="",
         alternatives=tuple(
-            NumberAlternative(str(value), credit, f"feedback on {value}", value, tolerance)
-            for value, credit in alternatives
+            NumberAlternative(
+                name=str(value) + "'" * n,
+                credit=credit,
+                feedback=f"feedback on {value}",
+                value=value,
+                tolerance=tolerance,
+            )
+            for n, (value, credit) in enumerate(alternatives)
         ),
     )
 

@@ -19,7 +19,7 @@ from autograder.course import Course, load_course
 from autograder.course.loading import load_object
 from autograder.errors import CourseError, UsageError
 from autograder.kinds.expression.answer import ExpressionAnswer
-from autograder.kinds.expression.formula import evaluate_formula
+from autograder.kinds.formula import evaluate_formula
 from autograder.kinds.function.answer import FunctionAnswer
 from autograder.kinds.pack import pack, unpack
 from autograder.kinds.registry import kind_of

@@ -63,7 +63,7 @@ def test_a_question_that_the_best_get_wrong_looks_broken(course: Course):
 def test_a_question_without_a_single_point_looks_broken(course: Course):
     rows = [(1, 0, 1, 1), (0, 0, 1, 0)] * 6
     statistics = {s.question.id: s for s in question_statistics(course, class_of(*rows))}
-    assert "Nobody has a point" in statistics["Q2"].troubles[0]
+    assert "Nobody earned a point" in statistics["Q2"].troubles[0]
 
 
 def test_wrong_responses_that_no_mistake_names_are_counted(course: Course):

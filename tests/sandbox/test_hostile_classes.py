@@ -158,5 +158,5 @@ def test_without_any_isolation_grading_refuses_and_says_what_to_do(tmp_path, mon
     grade = ["grade", str(tmp_path / "work"), "--out", str(tmp_path / "grades")]
     assert main(["--course", str(tmp_path / "course"), *grade]) == 1
     said = capsys.readouterr().err
-    assert "cannot be kept in on this machine" in said
+    assert "cannot be isolated on this machine" in said
     assert "--no-sandbox" in said

@@ -16,9 +16,10 @@ from autograder.kinds.number.typed import read_number
 from autograder.kinds.registry import kind_of
 from autograder.kinds.true_false.question import TrueFalse
 
-COMMON = {"id": "Q1", "chapter": "c", "title": "t", "prompt": "p", "points": 1.0, "hints": ("h",)}
-NUMBER = Number(**COMMON, variable="area", integer=True)
-FORMULA = Expression(**COMMON, variable="fence", symbols=(("w", "width"), ("l", "length")))
+COMMON = {"id": "Q1", "chapter": "c", "title": "t", "prompt": "p", "hints": ("h",)}
+WORTH = {**COMMON, "points": 1.0}
+NUMBER = Number(**WORTH, variable="area", integer=True)
+FORMULA = Expression(**WORTH, variable="fence", symbols={"w": "width", "l": "length"})
 
 
 def cell_for(question, response):
@@ -100,7 +101,7 @@ def test_the_cell_for_the_grader_fills_in_what_the_notebook_left_open(
     garden_template: Path, monkeypatch: pytest.MonkeyPatch
 ):
     monkeypatch.setenv("AUTOGRADER_COURSE", str(garden_template))
-    formula = Expression(**COMMON | {"id": "Q1.4"}, variable="fence", symbols=FORMULA.symbols)
+    formula = Expression(**WORTH | {"id": "Q1.4"}, variable="fence", symbols=FORMULA.symbols)
     cells = [cell_for(NUMBER, 12), cell_for(formula, "2*w")]
     left_open = {"area": ..., "other": 1}
     for cell in cells:
@@ -121,7 +122,7 @@ def test_nothing_else_becomes_a_cell(response: object):
 
 def test_what_a_file_says_was_typed_cannot_run(garden_template: Path, monkeypatch):
     monkeypatch.setenv("AUTOGRADER_COURSE", str(garden_template))
-    formula = Expression(**COMMON | {"id": "Q1.4"}, variable="fence", symbols=FORMULA.symbols)
+    formula = Expression(**WORTH | {"id": "Q1.4"}, variable="fence", symbols=FORMULA.symbols)
     namespace: dict[str, object] = {}
     exec(str(cell_for(formula, "'); raise SystemExit('")), namespace)
     assert namespace["fence"] is ...

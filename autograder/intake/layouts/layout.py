@@ -95,7 +95,7 @@ def side_entry(place: Place, found: Found, expected: bool = False) -> None:
     elif expected:
         found.pass_over(place, "a side file of the download", False)
     else:
-        found.pass_over(place, "its name does not fit the others of this download")
+        found.pass_over(place, "its name does not match the rest of this download")
 
 
 def fit_most(fitting: Sequence[Place], folder: Place) -> bool:

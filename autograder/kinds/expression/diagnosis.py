@@ -9,9 +9,9 @@ from numpy.typing import NDArray
 
 from autograder.errors import CourseError
 from autograder.kinds.expression.answer import ExpressionAnswer
-from autograder.kinds.expression.formula import evaluate_formula
 from autograder.kinds.expression.marking import Points, same_values
 from autograder.kinds.expression.question import Expression
+from autograder.kinds.formula import evaluate_formula
 from autograder.marking.diagnosis.relations import RELATIONS, Diagnosis
 from autograder.marking.mutants.formula_edits import edited_formulas
 
@@ -55,7 +55,7 @@ def diagnose_expression(
                 "a constant factor",
                 "It looks as if only a constant factor is wrong: the form is right.",
             )
-        symbols = [name for name, _ in question.symbols]
+        symbols = list(question.symbols)
         for mutant, text in edited_formulas(entry.expression, symbols):
             if time.process_time() > end:
                 return None

@@ -12,16 +12,17 @@ from autograder.errors import UsageError
 from autograder.kinds.answer import Alternative
 from autograder.kinds.code import CodeKind
 from autograder.kinds.drawn import Drawn
-from autograder.kinds.expression import answer as right
-from autograder.kinds.expression import question as asked
 from autograder.kinds.expression import snapshot as examples
-from autograder.kinds.expression.answer import ExpressionAlternative, ExpressionAnswer
-from autograder.kinds.expression.formula import evaluate_formula
+from autograder.kinds.expression.answer import (
+    ExpressionAlternative,
+    ExpressionAnswer,
+    check_expression,
+)
 from autograder.kinds.expression.marking import hidden_points, mark_expression
 from autograder.kinds.expression.question import Expression
 from autograder.kinds.expression.trial import ExpressionTrial
+from autograder.kinds.formula import evaluate_formula
 from autograder.kinds.mark import Mark
-from autograder.kinds.toml_table import Table
 from autograder.kinds.typed import assign_if_open
 from autograder.marking.mutants.mutant import Trial
 
@@ -32,14 +33,11 @@ class ExpressionKind(CodeKind[Expression, ExpressionAnswer]):
     name = "expression"
     has_field = True
     fewest_variants = 6
+    question_type = Expression
+    answer_type = ExpressionAnswer
 
-    def read_question(self, table: Table, common: dict[str, Any]) -> Expression:
-        return asked.read_question(table, common)
-
-    def read_answer(
-        self, question: Expression, table: Table, alternatives: list[Table], common: dict[str, Any]
-    ) -> ExpressionAnswer:
-        return right.read_answer(question, table, alternatives, common)
+    def check_answer(self, question: Expression, answer: ExpressionAnswer) -> None:
+        check_expression(question, answer)
 
     def fits(self, question: Expression, response: Any) -> bool:
         return isinstance(response, str)
@@ -90,11 +88,11 @@ class ExpressionKind(CodeKind[Expression, ExpressionAnswer]):
     def why_unusable(self, question: Expression, reason: str) -> str:
         why = super().why_unusable(question, reason)
         if reason == "symbol unknown":
-            why += " (declared are " + ", ".join(name for name, _ in question.symbols) + ")"
+            why += " (declared are " + ", ".join(name for name in question.symbols) + ")"
         return why
 
     def lines(self, question: Expression, response: Any) -> list[str]:
-        symbols = [f"- `{name}`: {meaning}" for name, meaning in question.symbols]
+        symbols = [f"- `{name}`: {meaning}" for name, meaning in question.symbols.items()]
         return [*symbols, "", *super().lines(question, response)]
 
     def widget(self, desk: Any, question: Expression, *checked: Any) -> Any:
@@ -103,7 +101,7 @@ class ExpressionKind(CodeKind[Expression, ExpressionAnswer]):
         return ExpressionWidget(desk, question, *checked)
 
     def more_heading(self, question: Expression) -> list[str]:
-        rows = [f"| `{name}` | {meaning} |" for name, meaning in question.symbols]
+        rows = [f"| `{name}` | {meaning} |" for name, meaning in question.symbols.items()]
         return ["", "| symbol | meaning |", "|:--|:--|", *rows]
 
     def response_like(self, question: Expression, alternative: Alternative, drawn: Drawn) -> Any:
@@ -122,10 +120,10 @@ class ExpressionKind(CodeKind[Expression, ExpressionAnswer]):
     ) -> Trial:
         return ExpressionTrial(question, answer, draw)
 
-    def variant(self, question: Expression, function: Callable[..., Any]) -> Any:
-        from autograder.kinds.expression.inside.typed import on_symbols
+    def variant(self, question: Expression, written: Any) -> Any:
+        from autograder.kinds.expression.inside.typed import in_a_cell
 
-        return on_symbols(function)
+        return in_a_cell(written)
 
     def secrets(self, question: Expression, answer: ExpressionAnswer) -> Iterator[str]:
         yield from super().secrets(question, answer)

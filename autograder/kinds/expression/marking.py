@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from autograder.kinds.expression.answer import ExpressionAlternative, ExpressionAnswer
-from autograder.kinds.expression.formula import evaluate_formula
 from autograder.kinds.expression.question import Expression
+from autograder.kinds.formula import evaluate_formula
 from autograder.kinds.mark import Mark, status_for
 
 Points = dict[str, NDArray[np.float64]]

@@ -2,40 +2,32 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Any
+from typing import Annotated
 
-from autograder.kinds.question import Question
-from autograder.kinds.toml_table import Table
+from msgspec import Meta
+
+from autograder.kinds.question import PointedQuestion
+from autograder.kinds.written import PythonName, check_python_name
 
 
-@dataclass(frozen=True)
-class Expression(Question):
+class Expression(PointedQuestion, frozen=True, kw_only=True, tag="expression"):
     """A sympy expression in the declared symbols (name -> meaning)."""
 
     kind = "expression"
-    variable: str = ""
-    symbols: tuple[tuple[str, str], ...] = ()
+    variable: PythonName
+    symbols: Annotated[
+        dict[str, str], Meta(min_length=1, description="each symbol, and in words what it means")
+    ]
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        check_python_name("variable", self.variable)
+        for name, meaning in self.symbols.items():
+            check_python_name("a symbol", name)
+            if not meaning.strip():
+                raise ValueError(f"say in words what the symbol {name!r} means")
 
     @property
     def name(self) -> str | None:
         """The variable that holds the expression."""
         return self.variable
-
-
-def read_question(table: Table, common: dict[str, Any]) -> Expression:
-    """The question in an author's table."""
-    points = table.points()
-    symbols = table.take("symbols", dict)
-    if not symbols:
-        raise table.error("declare at least one symbol")
-    for name, meaning in symbols.items():
-        table.check_name("a symbol", name)
-        if not (isinstance(meaning, str) and meaning.strip()):
-            raise table.error(f"say in words what the symbol {name!r} means")
-    return Expression(
-        **common,
-        points=points,
-        variable=table.python_name("variable"),
-        symbols=tuple(symbols.items()),
-    )

@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 
 from autograder.kinds.expression.answer import ExpressionAnswer
-from autograder.kinds.expression.formula import evaluate_formula
 from autograder.kinds.expression.marking import POINT_COUNT, Points, same_values
 from autograder.kinds.expression.question import Expression
+from autograder.kinds.formula import evaluate_formula
 from autograder.kinds.mark import Mark
 from autograder.kinds.snapshot import LATER, wrong
 

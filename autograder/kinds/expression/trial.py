@@ -8,9 +8,9 @@ import numpy as np
 
 from autograder.errors import CourseError
 from autograder.kinds.expression.answer import ExpressionAnswer
-from autograder.kinds.expression.formula import evaluate_formula
 from autograder.kinds.expression.marking import hidden_points, mark_expression, same_values
 from autograder.kinds.expression.question import Expression
+from autograder.kinds.formula import evaluate_formula
 from autograder.marking.mutants.formula_edits import edited_formulas
 from autograder.marking.mutants.mutant import Trial
 
@@ -38,9 +38,12 @@ class ExpressionTrial(Trial):
         for name, formula in answer.derived.items():
             wide[name] = evaluate_formula(formula, wide)
         expected = np.broadcast_to(evaluate_formula(self._right.expression, wide), (64,))
-        period = float(evaluate_formula(self._right.modulo, {})) if self._right.modulo else None
+        modulo = self._right.modulo
+        period = float(evaluate_formula(modulo, {})) if modulo else None
+        self._period = period
+        self._seeds: dict[int, tuple[dict[str, np.ndarray], np.ndarray]] = {}
         made = []
-        names = [name for name, _ in question.symbols]
+        names = list(question.symbols)
         for mutant, text in edited_formulas(self._right.expression, names):
             try:
                 values = np.broadcast_to(evaluate_formula(text, wide), (64,))
@@ -52,12 +55,24 @@ class ExpressionTrial(Trial):
         self._texts = [text for _, text in made]
 
     def passes(self, index: int, seed: int) -> bool:
-        points = hidden_points(self._answer, self._draw(seed))
-        count = len(next(iter(points.values())))
-        values = np.broadcast_to(evaluate_formula(self._texts[index], points), (count,))
-        mark = mark_expression(self._question, self._answer, points, values.astype(complex))
+        points, expected = self._points_of(seed)
+        values = np.broadcast_to(evaluate_formula(self._texts[index], points), expected.shape)
+        values = values.astype(complex)
+        # Marking looks for a known mistake in what is not equal, which takes far longer.
+        if not same_values(expected, values, self._period):
+            return False
+        mark = mark_expression(self._question, self._answer, points, values)
         # What equals another form of full credit is right because the author says so.
         return mark.credit == 1 and mark.alternative == self._right.name
+
+    def _points_of(self, seed: int) -> tuple[dict[str, np.ndarray], np.ndarray]:
+        """The hidden points of a seed, and the right values there."""
+        if seed not in self._seeds:
+            points = hidden_points(self._answer, self._draw(seed))
+            count = len(next(iter(points.values())))
+            expected = np.broadcast_to(evaluate_formula(self._right.expression, points), (count,))
+            self._seeds[seed] = points, expected
+        return self._seeds[seed]
 
     def cases(self, seed: int) -> Sequence[str]:
         return ["all points"]

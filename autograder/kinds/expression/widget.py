@@ -15,7 +15,7 @@ class ExpressionWidget(ValueWidget):
     question: Expression
 
     def what_is_fixed(self) -> dict[str, Any]:
-        symbols = self.question.symbols if self._with_prompt else ()
+        symbols = self.question.symbols.items() if self._with_prompt else ()
         return {
             **super().what_is_fixed(),
             "symbols": [{"name": name, "meaning": inline(meaning)} for name, meaning in symbols],

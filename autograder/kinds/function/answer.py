@@ -2,41 +2,28 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Any
+from typing import Annotated
 
-from autograder.kinds.answer import Alternative, Answer, read_alternative
-from autograder.kinds.toml_table import Table
+from msgspec import Meta, field
+
+from autograder.kinds.answer import Alternative, Answer
+
+Dotted = Annotated[
+    str, Meta(pattern=r"\S", description="a function of the course, as package.module:function")
+]
 
 
-@dataclass(frozen=True)
-class FunctionAlternative(Alternative):
+class FunctionAlternative(Alternative, frozen=True, kw_only=True):
     """A whole wrong function, by its dotted name ``package.module:function``."""
 
-    function: str
+    function: Dotted
 
 
-@dataclass(frozen=True)
-class FunctionAnswer(Answer):
+class FunctionAnswer(Answer, frozen=True, kw_only=True):
     """The key to a function question; reference, cases, compare and picture are dotted names."""
 
-    reference: str
-    cases: str
-    compare: str | None
-    picture: str | None = None
-
-
-def read_answer(table: Table, alternatives: list[Table], common: dict[str, Any]) -> FunctionAnswer:
-    """The key in an author's table."""
-    known = tuple(
-        FunctionAlternative(**read_alternative(entry), function=entry.text("function"))
-        for entry in alternatives
-    )
-    return FunctionAnswer(
-        **common,
-        alternatives=known,
-        reference=table.text("reference"),
-        cases=table.text("cases"),
-        compare=table.take("compare", str, None),
-        picture=table.take("picture", str, None),
-    )
+    reference: Dotted
+    cases: Dotted
+    compare: Dotted | None = None
+    picture: Dotted | None = None
+    alternatives: tuple[FunctionAlternative, ...] = field(default=(), name="alternative")

@@ -12,8 +12,6 @@ from autograder.course.loading import load_object
 from autograder.kinds.answer import Alternative
 from autograder.kinds.code import CodeKind
 from autograder.kinds.drawn import Drawn
-from autograder.kinds.function import answer as right
-from autograder.kinds.function import question as asked
 from autograder.kinds.function import snapshot as examples
 from autograder.kinds.function.answer import FunctionAnswer
 from autograder.kinds.function.expected import draw
@@ -24,7 +22,6 @@ from autograder.kinds.function.stub import function_stub, reference_source
 from autograder.kinds.function.take_snapshot import take_snapshot
 from autograder.kinds.function.trial import FunctionTrial
 from autograder.kinds.mark import Mark
-from autograder.kinds.toml_table import Table
 from autograder.marking.mutants.mutant import Trial
 
 
@@ -34,14 +31,8 @@ class FunctionKind(CodeKind[Function, FunctionAnswer]):
     name = "function"
     parts_heading = "Kinds of input"
     fewest_variants = 4
-
-    def read_question(self, table: Table, common: dict[str, Any]) -> Function:
-        return asked.read_question(table, common)
-
-    def read_answer(
-        self, question: Function, table: Table, alternatives: list[Table], common: dict[str, Any]
-    ) -> FunctionAnswer:
-        return right.read_answer(table, alternatives, common)
+    question_type = Function
+    answer_type = FunctionAnswer
 
     def draw(
         self, question: Function, answer: FunctionAnswer, rng: np.random.Generator, root: Path
@@ -56,7 +47,8 @@ class FunctionKind(CodeKind[Function, FunctionAnswer]):
         response: dict[str, Any],
         understood: str,
     ) -> Mark | None:
-        return mark_function(question, answer, drawn.expected, response.get("outcomes"))
+        outcomes = response.get("outcomes")
+        return mark_function(question, answer, drawn.expected, outcomes, drawn.tells)
 
     def example(self, drawn: Drawn) -> tuple[dict[str, Any], Any] | None:
         case, outcome = drawn.expected.cases[0], drawn.expected.outcomes[0]
@@ -111,9 +103,6 @@ class FunctionKind(CodeKind[Function, FunctionAnswer]):
         draw: Callable[[int], np.random.Generator],
     ) -> Trial:
         return FunctionTrial(answer, proven, root, draw)
-
-    def variant(self, question: Function, function: Callable[..., Any]) -> Any:
-        return function
 
     def promises(
         self, answer: FunctionAnswer, root: Path, drawn: Drawn

@@ -15,7 +15,7 @@ from autograder.kinds.function.credit import partial_credit
 from autograder.kinds.function.diagnosis import diagnose_function
 from autograder.kinds.function.question import Function
 from autograder.kinds.function.shown import shown_outcome
-from autograder.kinds.mark import Mark, Part, status_for
+from autograder.kinds.mark import NO_VALUE, Mark, Part, status_for
 from autograder.marking.diagnosis.relations import Diagnosis
 
 Outcome = dict[str, Any]
@@ -38,13 +38,19 @@ class Expected:
 
 
 def mark_function(
-    question: Function, answer: FunctionAnswer, expected: Expected, outcomes: Any
+    question: Function,
+    answer: FunctionAnswer,
+    expected: Expected,
+    outcomes: Any,
+    tells: bool = True,
 ) -> Mark:
     """Right on every case, or like a known mistake, or right on some kinds of input.
 
     A response that matches no mistake earns its `partial_credit`. ``outcomes`` come from the
-    student's process and are not trusted.
+    student's process and are not trusted. Unless it ``tells``, feedback says of hidden inputs no
+    more than that some gave no value: each word more could be chosen to carry one of them out.
     """
+    tells = tells or all(case.get("public") for case in expected.cases)
     if not (isinstance(outcomes, list) and len(outcomes) == len(expected.cases)):
         outcomes = [{"unusable": "not plain"}] * len(expected.cases)
     verdicts = [
@@ -55,7 +61,11 @@ def mark_function(
     for index, case in enumerate(expected.cases):
         kinds.setdefault(str(case["name"]), []).append(index)
     parts = tuple(
-        Part(kind, all(verdicts[i] for i in indices), _what_happened(outcomes, indices))
+        Part(
+            kind,
+            all(verdicts[i] for i in indices),
+            _what_happened(outcomes, indices) if tells else "",
+        )
         for kind, indices in kinds.items()
     )
     # Without a picture the first case was not asked alone.
@@ -89,8 +99,14 @@ def mark_function(
     feedback = (
         f"Right on {right} of {len(parts)} kinds of input. Not yet on: " + "; ".join(failing) + "."
     )
+    if not tells and any(
+        not isinstance(outcome, dict) or "value" not in outcome or "changed" in outcome
+        for outcome, verdict in zip(outcomes, verdicts, strict=True)
+        if not verdict
+    ):
+        feedback = f"{feedback} {NO_VALUE}"
     if all(isinstance(outcome, dict) and "raised" in outcome for outcome in outcomes):
-        name = _known_error(outcomes[0]["raised"])
+        name = _known_error(outcomes[0]["raised"]) if tells else "an exception"
         feedback = f"It raises {name} on every input. Try it on a small example first."
         return Mark(question.id, "error", 0.0, question.points, feedback, **known)
     diagnosed = None

@@ -2,26 +2,21 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Any
-
-from autograder.kinds.question import Question
-from autograder.kinds.toml_table import Table
+from autograder.kinds.question import PointedQuestion
+from autograder.kinds.written import PythonName, check_python_name
 
 
-@dataclass(frozen=True)
-class Function(Question):
+class Function(PointedQuestion, frozen=True, kw_only=True, tag="function"):
     """A function to write."""
 
     kind = "function"
-    function: str = ""
+    function: PythonName
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        check_python_name("function", self.function)
 
     @property
     def name(self) -> str | None:
         """The function's name."""
         return self.function
-
-
-def read_question(table: Table, common: dict[str, Any]) -> Function:
-    """The question in an author's table."""
-    return Function(**common, points=table.points(), function=table.python_name("function"))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import math
+import time
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from types import FunctionType
@@ -17,7 +18,12 @@ from autograder.kinds.function.inside.evaluate import evaluate
 from autograder.kinds.function.marking import Outcome, agrees, close
 from autograder.marking.mutants.clones import reachable, tree_of, with_changed
 from autograder.marking.mutants.edits import begin_with, described, edited
+from autograder.marking.mutants.limit import time_limit
 from autograder.marking.mutants.mutant import Mutant, Trial
+
+# A mutant has lost that takes longer for a case than this, and so many times the reference's time.
+_LEAST_SECONDS = 0.5  # of a processor
+_TIMES_AS_LONG = 20
 
 Call = Callable[..., Any]
 
@@ -42,7 +48,9 @@ class FunctionTrial(Trial):
         self._reference: Call = load_object(answer.reference, root)
         self._seeds: dict[int, list[dict[str, Any]]] = {}
         self._right: dict[tuple[int, int], Outcome] = {}
-        self._telling: list[int] = []  # cases that told a mutant, the last one first
+        self._told_by: dict[int, int] = {}  # the case that told a mutant with another seed
+        self._cheapest: list[int] = []  # the cases, those first that took least time with one seed
+        self._seconds: dict[tuple[int, int], float] = {}  # that the reference took for a case
         others = {load_object(name, root) for name in proven} - {self._reference}
         made = list(_mutants(self._reference, others, self._cases_of(0), root))
         self.mutants = [mutant for mutant, _ in made]
@@ -50,15 +58,28 @@ class FunctionTrial(Trial):
 
     def passes(self, index: int, seed: int) -> bool:
         cases = self._cases_of(seed)
-        order = dict.fromkeys([*(i for i in self._telling if i < len(cases)), *range(len(cases))])
-        for case in order:
-            outcome = outcome_of(self.calls[index], cases[case])
-            if not agrees(self._compare, cases[case], self.right(seed, case), outcome):
-                if case in self._telling:
-                    self._telling.remove(case)
-                self._telling.insert(0, case)
+        for case in self._order(index, seed):
+            right = self.right(seed, case)
+            with time_limit(_LEAST_SECONDS + _TIMES_AS_LONG * self._seconds[seed, case]):
+                outcome = outcome_of(self.calls[index], cases[case])
+            if not agrees(self._compare, cases[case], right, outcome):
+                self._told_by[index] = case
                 return False
         return True
+
+    def _order(self, index: int, seed: int) -> list[int]:
+        """The cases: first the one that told the mutant before, then those that take least time.
+
+        Nothing has to come after the first that tells.
+        """
+        count = len(self._cases_of(seed))
+        if not self._cheapest:
+            for case in range(count):
+                self.right(seed, case)
+            self._cheapest = sorted(range(count), key=lambda case: self._seconds[seed, case])
+        first = [self._told_by[index]] if index in self._told_by else []
+        order = dict.fromkeys([*first, *self._cheapest, *range(count)])
+        return [case for case in order if case < count]
 
     def cases(self, seed: int) -> Sequence[str]:
         return list(dict.fromkeys(case["name"] for case in self._cases_of(seed)))
@@ -66,7 +87,9 @@ class FunctionTrial(Trial):
     def right(self, seed: int, case: int) -> Outcome:
         """What the reference makes of a case."""
         if (seed, case) not in self._right:
+            begin = time.process_time()
             self._right[seed, case] = outcome_of(self._reference, self._cases_of(seed)[case])
+            self._seconds[seed, case] = time.process_time() - begin
         return self._right[seed, case]
 
     def _cases_of(self, seed: int) -> list[dict[str, Any]]:

@@ -2,36 +2,21 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Any
+from typing import Annotated
 
-from autograder.kinds.answer import Alternative, Answer, read_alternative
-from autograder.kinds.toml_table import Table
+from msgspec import Meta, field
+
+from autograder.kinds.answer import Alternative, Answer
 
 
-@dataclass(frozen=True)
-class NumberAlternative(Alternative):
+class NumberAlternative(Alternative, frozen=True, kw_only=True):
     """A value, and how far a response may be from it (None: as the question says)."""
 
     value: float
-    tolerance: float | None
+    tolerance: Annotated[float, Meta(ge=0)] | None = None
 
 
-@dataclass(frozen=True)
-class NumberAnswer(Answer):
+class NumberAnswer(Answer, frozen=True, kw_only=True):
     """The key to a number question."""
 
-
-def read_answer(table: Table, alternatives: list[Table], common: dict[str, Any]) -> NumberAnswer:
-    """The key in an author's table."""
-    known = tuple(
-        NumberAlternative(
-            **read_alternative(entry),
-            value=entry.number("value"),
-            tolerance=entry.number("tolerance", None),
-        )
-        for entry in alternatives
-    )
-    if any((entry.tolerance or 0) < 0 for entry in known):
-        raise table.error("a tolerance is never negative")
-    return NumberAnswer(**common, alternatives=known)
+    alternatives: tuple[NumberAlternative, ...] = field(default=(), name="alternative")

@@ -10,13 +10,10 @@ from autograder.kinds.answer import Alternative
 from autograder.kinds.code import CodeKind
 from autograder.kinds.drawn import Drawn
 from autograder.kinds.mark import Mark
-from autograder.kinds.number import answer as right
-from autograder.kinds.number import question as asked
 from autograder.kinds.number.answer import NumberAlternative, NumberAnswer
 from autograder.kinds.number.marking import mark_number
 from autograder.kinds.number.question import Number
 from autograder.kinds.number.typed import read_number
-from autograder.kinds.toml_table import Table
 from autograder.kinds.typed import assign_if_open
 
 
@@ -25,14 +22,9 @@ class NumberKind(CodeKind[Number, NumberAnswer]):
 
     name = "number"
     has_field = True
-
-    def read_question(self, table: Table, common: dict[str, Any]) -> Number:
-        return asked.read_question(table, common)
-
-    def read_answer(
-        self, question: Number, table: Table, alternatives: list[Table], common: dict[str, Any]
-    ) -> NumberAnswer:
-        return right.read_answer(table, alternatives, common)
+    formulas = ("value", "tolerance")
+    question_type = Number
+    answer_type = NumberAnswer
 
     def fits(self, question: Number, response: Any) -> bool:
         return _is_finite_number(response)

@@ -58,7 +58,7 @@ def _tolerance(question: Number, alternative: NumberAlternative, value: int | fl
     if alternative.tolerance is not None:
         return alternative.tolerance
     given = _decimals(value)
-    if question.integer or alternative.is_mistake or given <= question.decimals:
+    if question.decimals is None or alternative.is_mistake or given <= question.decimals:
         return question.tolerance
     known = _decimals(alternative.value)
     return min(question.tolerance, 10.0 ** -min(given, known) * (1 + 1e-9))

@@ -2,22 +2,28 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Any
+from typing import Annotated
 
-from autograder.kinds.question import Question
-from autograder.kinds.toml_table import Table
+from msgspec import Meta
+
+from autograder.kinds.question import PointedQuestion
+from autograder.kinds.written import PythonName, check_python_name
 
 
-@dataclass(frozen=True)
-class Number(Question):
+class Number(PointedQuestion, frozen=True, kw_only=True, tag="number"):
     """A value: an integer, or a number that may be rounded to ``decimals`` places."""
 
     kind = "number"
-    variable: str = ""
+    variable: PythonName
     integer: bool = False
-    decimals: int = 6
+    decimals: Annotated[int, Meta(ge=0, le=15, description="how many are asked for")] | None = None
     unit: str = ""
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        check_python_name("variable", self.variable)
+        if self.integer == (self.decimals is not None):
+            raise ValueError("say either integer = true or decimals = N")
 
     @property
     def name(self) -> str | None:
@@ -27,27 +33,8 @@ class Number(Question):
     @property
     def tolerance(self) -> float:
         """How far a value may be from a stated one and still be that value."""
-        return 1e-9 if self.integer else 0.5 * 10.0**-self.decimals * (1 + 1e-9)
+        return 1e-9 if self.decimals is None else 0.5 * 10.0**-self.decimals * (1 + 1e-9)
 
     def printed(self, value: float) -> str:
         """A value with as many digits as are asked for."""
-        return f"{value:.0f}" if self.integer else f"{value:.{self.decimals}f}"
-
-
-def read_question(table: Table, common: dict[str, Any]) -> Number:
-    """The question in an author's table."""
-    points = table.points()
-    integer = table.take("integer", bool, False)
-    decimals = table.take("decimals", int, None)
-    if integer == (decimals is not None):
-        raise table.error("say either integer = true or decimals = N")
-    if decimals is not None and not 0 <= decimals <= 15:
-        raise table.error(f"decimals is {decimals}; give a number from 0 to 15")
-    return Number(
-        **common,
-        points=points,
-        variable=table.python_name("variable"),
-        integer=integer,
-        decimals=6 if decimals is None else decimals,
-        unit=table.take("unit", str, ""),
-    )
+        return f"{value:.{self.decimals or 0}f}"

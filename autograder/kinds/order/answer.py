@@ -2,64 +2,54 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Any
+from typing import Annotated
 
-from autograder.kinds.answer import Alternative, Answer, read_alternative
+from msgspec import Meta, field
+
+from autograder.kinds.answer import Alternative, Answer
 from autograder.kinds.order.question import Order
-from autograder.kinds.toml_table import Table
+from autograder.kinds.written import Credit, Text
 
 
-@dataclass(frozen=True)
-class OrderAlternative(Alternative):
+class OrderAlternative(Alternative, frozen=True, kw_only=True):
     """The card ``first`` standing before the card ``second``, where that shows a known mistake."""
 
-    first: str
-    second: str
+    credit: Credit = 0.0
+    first: Text
+    second: Text
 
 
-@dataclass(frozen=True)
-class OrderAnswer(Answer):
+class OrderAnswer(Answer, frozen=True, kw_only=True):
     """The key to an order question: any order that respects every pair in ``before`` is right."""
 
     order: tuple[str, ...]
-    before: tuple[tuple[str, str], ...]
-    interchangeable: tuple[tuple[str, ...], ...]
+    before: Annotated[
+        tuple[tuple[str, str], ...], Meta(description="pairs of cards; the first comes earlier")
+    ]
+    interchangeable: tuple[tuple[str, ...], ...] = ()
+    alternatives: tuple[OrderAlternative, ...] = field(default=(), name="alternative")
 
 
-def read_answer(
-    question: Order, table: Table, alternatives: list[Table], common: dict[str, Any]
-) -> OrderAnswer:
-    """The key in an author's table."""
-    order = table.texts("order")
+def check_order(question: Order, answer: OrderAnswer) -> None:
+    """Whether a key speaks of the question's cards, and its own order is right.
+
+    Raises:
+        ValueError: if not.
+    """
+    order, known = answer.order, answer.alternatives
     if sorted(order) != sorted(question.start):
-        raise table.error("order must name every card of the question once")
-    before, groups = table.groups("before"), table.groups("interchangeable", [])
-    if any(len(pair) != 2 for pair in before):
-        raise table.error("before must be a list of pairs of card ids")
-    pairs = tuple((first, second) for first, second in before)
-    known = tuple(
-        OrderAlternative(
-            **read_alternative(entry, credit=0.0),
-            first=entry.text("first"),
-            second=entry.text("second"),
-        )
-        for entry in alternatives
-    )
-    named = {name for pair in pairs for name in pair} | {n for group in groups for n in group}
+        raise ValueError("order must name every card of the question once")
+    named = {name for group in answer.before + answer.interchangeable for name in group}
     named |= {name for entry in known for name in (entry.first, entry.second)}
     if not named <= set(order):
-        raise table.error(f"no card has the id {sorted(named - set(order))[0]!r}")
-    for first, second in pairs:
+        raise ValueError(f"no card has the id {sorted(named - set(order))[0]!r}")
+    for first, second in answer.before:
         if order.index(first) >= order.index(second):
-            raise table.error(f"the canonical order puts {second!r} before {first!r}")
+            raise ValueError(f"the canonical order puts {second!r} before {first!r}")
     texts = question.texts
-    for group in groups:
+    for group in answer.interchangeable:
         if len({texts[name] for name in group}) > 1:
-            raise table.error(
+            raise ValueError(
                 f"the cards {', '.join(map(repr, group))} are called interchangeable, "
                 "but their texts differ"
             )
-    return OrderAnswer(
-        **common, alternatives=known, order=order, before=pairs, interchangeable=groups
-    )

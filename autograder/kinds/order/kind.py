@@ -8,13 +8,10 @@ from typing import Any
 
 from autograder.kinds.choice import ChoiceKind
 from autograder.kinds.mark import Mark
-from autograder.kinds.order import answer as right
-from autograder.kinds.order import question as asked
 from autograder.kinds.order import response as given
-from autograder.kinds.order.answer import OrderAnswer
+from autograder.kinds.order.answer import OrderAnswer, check_order
 from autograder.kinds.order.marking import mark_order, transitive_closure
 from autograder.kinds.order.question import Order
-from autograder.kinds.toml_table import Table
 
 
 class OrderKind(ChoiceKind[Order, OrderAnswer]):
@@ -22,14 +19,11 @@ class OrderKind(ChoiceKind[Order, OrderAnswer]):
 
     name = "order"
     parts_heading = "Cards"
+    question_type = Order
+    answer_type = OrderAnswer
 
-    def read_question(self, table: Table, common: dict[str, Any]) -> Order:
-        return asked.read_question(table, common)
-
-    def read_answer(
-        self, question: Order, table: Table, alternatives: list[Table], common: dict[str, Any]
-    ) -> OrderAnswer:
-        return right.read_answer(question, table, alternatives, common)
+    def check_answer(self, question: Order, answer: OrderAnswer) -> None:
+        check_order(question, answer)
 
     def fits(self, question: Order, response: Any) -> bool:
         return given.fits(question, response)

@@ -25,7 +25,7 @@ def mark_order(question: Order, answer: OrderAnswer, response: Any) -> Mark:
         return stopped(question, "unreadable", "The stored response does not name every card once.")
     order = tuple(response)
     if order == question.start:
-        return not_attempted(question, "The cards still lie as they were dealt.")
+        return not_attempted(question, "The cards are still in the order in which they were dealt.")
     after = transitive_closure(answer.before)
     # Cards with the same text are interchangeable: read them in the way that is best for the
     # student.
@@ -37,7 +37,7 @@ def mark_order(question: Order, answer: OrderAnswer, response: Any) -> Mark:
     credit = max(0.0, 1 - 2 * moves / len(order))
     mistake = None
     if moves == 0:
-        feedback = "Every step stands after the steps it needs."
+        feedback = "Every step comes after the steps it needs."
     else:
         mistake = next(
             (

@@ -2,27 +2,31 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Any
+from typing import Annotated
 
-from autograder.kinds.question import Question
-from autograder.kinds.toml_table import Table
+from msgspec import Meta
+
+from autograder.kinds.question import PointedQuestion
+from autograder.kinds.written import Text, Written
 
 
-@dataclass(frozen=True)
-class Card:
+class Card(Written, frozen=True):
     """One step of an order question."""
 
-    id: str
-    text: str
+    id: Text
+    text: Text
 
 
-@dataclass(frozen=True)
-class Order(Question):
+class Order(PointedQuestion, frozen=True, kw_only=True, tag="order"):
     """Cards to put in order; ``cards`` stand in the order in which a student first sees them."""
 
     kind = "order"
-    cards: tuple[Card, ...] = ()
+    cards: Annotated[tuple[Card, ...], Meta(min_length=2)]
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if len(set(self.start)) != len(self.cards):
+            raise ValueError("two cards have the same id; rename one")
 
     @property
     def start(self) -> tuple[str, ...]:
@@ -33,20 +37,3 @@ class Order(Question):
     def texts(self) -> dict[str, str]:
         """The text of each card by its id."""
         return {card.id: card.text for card in self.cards}
-
-
-def read_question(table: Table, common: dict[str, Any]) -> Order:
-    """The question in an author's table."""
-    points = table.points()
-    cards = table.take("cards", list)
-    for card in cards:
-        if not (
-            isinstance(card, dict)
-            and card.keys() == {"id", "text"}
-            and all(isinstance(text, str) and text.strip() for text in card.values())
-        ):
-            raise table.error("each card needs exactly an id and a text")
-    read = tuple(Card(card["id"], card["text"]) for card in cards)
-    if len({card.id for card in read}) != len(read) or len(read) < 2:
-        raise table.error("needs at least two cards, each with an id of its own")
-    return Order(**common, points=points, cards=read)

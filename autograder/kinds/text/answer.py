@@ -16,80 +16,67 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Any
+from typing import Annotated
 
+from msgspec import Meta, field
+
+from autograder.kinds import written
 from autograder.kinds.answer import Answer
 from autograder.kinds.text.question import Text
-from autograder.kinds.toml_table import Table
+from autograder.kinds.written import Written
 
 
-@dataclass(frozen=True)
-class Level:
+class Level(Written, frozen=True, kw_only=True):
     """How well a criterion is met, what that earns, and what a student is told."""
 
-    name: str
-    points: float
-    feedback: str
+    name: written.Text
+    points: Annotated[float, Meta(ge=0)]
+    feedback: str = ""
 
 
-@dataclass(frozen=True)
-class Criterion:
+class Criterion(Written, frozen=True, kw_only=True):
     """One thing to look for, with its levels from best to worst."""
 
-    name: str
+    name: written.Text
     levels: tuple[Level, ...]
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if len(self.levels) < 2:
+            raise ValueError("a criterion needs at least two levels")
+        if len({level.name for level in self.levels}) != len(self.levels):
+            raise ValueError("two levels have the same name")
+        points = [level.points for level in self.levels]
+        if points != sorted(points, reverse=True):
+            raise ValueError("write the levels from the most points to the fewest")
 
     def level(self, name: str) -> Level | None:
         """The level of this name."""
         return next((level for level in self.levels if level.name == name), None)
 
 
-@dataclass(frozen=True)
-class TextAnswer(Answer):
+class TextAnswer(Answer, frozen=True, kw_only=True):
     """The key to a text question: the rubric, and ``model``, an answer that earns all points."""
 
-    model: str
-    rubric: tuple[Criterion, ...]
+    model: written.Text
+    rubric: Annotated[tuple[Criterion, ...], Meta(min_length=1)] = field(name="criterion")
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if self.alternatives:
+            raise ValueError("a text has no alternatives: write criteria with levels")
+        if len({criterion.name for criterion in self.rubric}) != len(self.rubric):
+            raise ValueError("two criteria have the same name")
 
 
-def read_answer(
-    question: Text, table: Table, alternatives: list[Table], common: dict[str, Any]
-) -> TextAnswer:
-    """The key in an author's table.
+def check_text(question: Text, answer: TextAnswer) -> None:
+    """Whether the best levels add up to the question's points.
 
     Raises:
-        CourseError: if the best levels do not add up to the question's points.
+        ValueError: if not.
     """
-    if alternatives:
-        raise table.error("a text has no alternatives: write criteria with levels")
-    rubric = tuple(_criterion(entry) for entry in table.tables("criterion", "criterion"))
-    if not rubric:
-        raise table.error("the rubric is empty; write at least one criterion")
-    if len({criterion.name for criterion in rubric}) != len(rubric):
-        raise table.error("two criteria have the same name")
-    best = sum(criterion.levels[0].points for criterion in rubric)
+    best = sum(criterion.levels[0].points for criterion in answer.rubric)
     if abs(best - question.points) > 1e-9:
-        raise table.error(
+        raise ValueError(
             f"the best levels add up to {best:g} points, and the question has {question.points:g}"
         )
-    return TextAnswer(**common, alternatives=(), model=table.text("model"), rubric=rubric)
-
-
-def _criterion(table: Table) -> Criterion:
-    levels = []
-    for entry in table.tables("levels", "level"):
-        levels.append(
-            Level(entry.text("name"), float(entry.number("points")), entry.text("feedback", ""))
-        )
-        entry.done()
-    name = table.text("name")
-    table.done()
-    if len(levels) < 2:
-        raise table.error("a criterion needs at least two levels")
-    if len({level.name for level in levels}) != len(levels):
-        raise table.error("two levels have the same name")
-    points = [level.points for level in levels]
-    if points != sorted(points, reverse=True) or points[-1] < 0:
-        raise table.error("write the levels from the most points to the fewest, none below 0")
-    return Criterion(name, tuple(levels))

@@ -8,11 +8,9 @@ from typing import Any
 from autograder.errors import UsageError
 from autograder.kinds.choice import ChoiceKind
 from autograder.kinds.mark import Mark, not_attempted
-from autograder.kinds.text import answer as right
 from autograder.kinds.text import question as asked
-from autograder.kinds.text.answer import TextAnswer
+from autograder.kinds.text.answer import TextAnswer, check_text
 from autograder.kinds.text.question import Text
-from autograder.kinds.toml_table import Table
 
 
 class TextKind(ChoiceKind[Text, TextAnswer]):
@@ -20,14 +18,11 @@ class TextKind(ChoiceKind[Text, TextAnswer]):
 
     name = "text"
     by_hand = True
+    question_type = Text
+    answer_type = TextAnswer
 
-    def read_question(self, table: Table, common: dict[str, Any]) -> Text:
-        return asked.read_question(table, common)
-
-    def read_answer(
-        self, question: Text, table: Table, alternatives: list[Table], common: dict[str, Any]
-    ) -> TextAnswer:
-        return right.read_answer(question, table, alternatives, common)
+    def check_answer(self, question: Text, answer: TextAnswer) -> None:
+        check_text(question, answer)
 
     def fits(self, question: Text, response: Any) -> bool:
         return isinstance(response, str) and len(response) <= question.longest

@@ -7,9 +7,6 @@ from typing import Any
 
 from autograder.kinds.choice import ChoiceKind
 from autograder.kinds.mark import Mark
-from autograder.kinds.toml_table import Table
-from autograder.kinds.true_false import answer as right
-from autograder.kinds.true_false import question as asked
 from autograder.kinds.true_false import response as given
 from autograder.kinds.true_false.answer import TrueFalseAnswer
 from autograder.kinds.true_false.marking import mark_true_false
@@ -21,14 +18,15 @@ class TrueFalseKind(ChoiceKind[TrueFalse, TrueFalseAnswer]):
 
     name = "true_false"
     parts_stand_alone = True
+    question_type = TrueFalse
+    answer_type = TrueFalseAnswer
 
-    def read_question(self, table: Table, common: dict[str, Any]) -> TrueFalse:
-        return asked.read_question(table, common)
-
-    def read_answer(
-        self, question: TrueFalse, table: Table, alternatives: list[Table], common: dict[str, Any]
-    ) -> TrueFalseAnswer:
-        return right.read_answer(question, table, alternatives, common)
+    def check_answer(self, question: TrueFalse, answer: TrueFalseAnswer) -> None:
+        if len(answer.statements) != len(question.statements):
+            raise ValueError(
+                f"there are {len(answer.statements)} statements, "
+                f"but the question asks {len(question.statements)}"
+            )
 
     def fits(self, question: TrueFalse, response: Any) -> bool:
         return given.fits(question, response)

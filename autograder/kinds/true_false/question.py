@@ -2,24 +2,21 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Any
+from typing import Annotated
+
+from msgspec import Meta
 
 from autograder.kinds.question import Question
-from autograder.kinds.toml_table import Table
+from autograder.kinds.written import Text
 
 
-@dataclass(frozen=True)
-class TrueFalse(Question):
+class TrueFalse(Question, frozen=True, kw_only=True, tag="true_false"):
     """Statements to call true or false, one point each."""
 
     kind = "true_false"
-    statements: tuple[str, ...] = ()
+    statements: Annotated[tuple[Text, ...], Meta(min_length=1)]
 
-
-def read_question(table: Table, common: dict[str, Any]) -> TrueFalse:
-    """The question in an author's table."""
-    statements = table.some_texts("statements")
-    if table.take("points", (int, float), None) is not None:
-        raise table.error("a statement is worth one point; remove points")
-    return TrueFalse(**common, points=float(len(statements)), statements=statements)
+    @property
+    def points(self) -> float:
+        """One for each statement."""
+        return float(len(self.statements))

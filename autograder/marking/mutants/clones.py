@@ -19,7 +19,8 @@ def reachable(function: FunctionType, root: Path) -> list[FunctionType]:
     """The function, and all the functions of the course at ``root`` that it may call."""
     found = [function]
     for current in found:
-        for name in _names(current.__code__):
+        # Sorted: every process that tries mutants counts them in the same order.
+        for name in sorted(_names(current.__code__)):
             value = current.__globals__.get(name)
             if isinstance(value, FunctionType) and value not in found and is_ours(value, root):
                 found.append(value)

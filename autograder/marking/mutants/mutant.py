@@ -6,8 +6,6 @@ from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-MOST_SECONDS = 3.0  # of a processor, for a mutant and one case; one that takes longer has lost
-
 
 @dataclass(frozen=True)
 class Mutant:

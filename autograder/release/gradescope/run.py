@@ -48,14 +48,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
 def _grade(root: Path, course_root: Path, explanations: bool) -> dict[str, Any]:
     course = load_course(course_root)
     submission = Submission(_student(root), root / "submission")
-    marker = Marker(course, secrets.randbits(32))
+    marker = Marker(course, secrets.randbits(32), tells=False)
     done: list[Graded] = []
     try:
         with Threads(marker, 1) as spread:
             grade_class([submission], course, spread, done.append)
     except SandboxError as error:
         print(error)
-        return failure("student code could not be kept in", most_points(course))
+        return failure("student code could not be isolated", most_points(course))
     return results(course, Record(done[0], 0, marker.seed), explanations)
 
 

@@ -5,8 +5,11 @@ socket that student code never gets:
 
 - first ``{"set up": {...}}`` (see `SetUp`); the answer ``{"ready": true}`` comes when it is warm.
 - ``{"start": number, "limits": {...}, "seed": ...}`` with a socket: clears what an earlier child
-  left, forks a child that serves this socket, answers ``{"started": number}``.
-- ``{"end": number}``: ends the child and all it started, answers ``{"ended": number}``.
+  left, forks a child that serves this socket, answers ``{"started": number}`` when it is confined.
+  If it cannot be, no student code has run: ``{"not started": number, "short": ..., "where": ...}``
+  says what this machine is short of.
+- ``{"end": number}``: ends the child and all it started, answers ``{"ended": number, "had": ...}``
+  with the seconds of its own that it had.
 
 - ``{"time since": moment}`` answers ``{"had": seconds}``, as `OwnTime` counts them.
 - ``{"interrupt": number, "only_forks": ...}`` ends what the child has forked, or sends the child
@@ -18,6 +21,7 @@ unasked. When the control socket closes, everything ends. No key and no hidden i
 
 from __future__ import annotations
 
+import errno
 import gc
 import json
 import os
@@ -30,7 +34,7 @@ import traceback
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, NoReturn
 
 from autograder.sandbox import landlock, lockdown, seccomp
 from autograder.sandbox.inside.serve import prepare_process, serve
@@ -38,8 +42,9 @@ from autograder.sandbox.inside.warm import warm
 from autograder.sandbox.own_time import OwnTime
 from autograder.sandbox.processes import Usage, descendants, end_all_others, tasks_of
 from autograder.sandbox.removal import empty
+from autograder.sandbox.stopped import BY_THE_SYSTEM
 
-_NOT_CONFINED = 70  # exit status of a child that could not be confined: student code never ran
+_CONFINED = b"confined"
 _TICK = 0.05  # seconds between two looks at what the child uses
 _SIGNALS = {
     signal.SIGSEGV: "it crashed (segmentation fault)",
@@ -48,7 +53,7 @@ _SIGNALS = {
     signal.SIGILL: "it crashed (illegal instruction)",
     signal.SIGABRT: "it aborted",
     signal.SIGXCPU: "it used too much processor time",
-    signal.SIGKILL: "it was ended by the system, as happens when memory runs out",
+    signal.SIGKILL: BY_THE_SYSTEM,
 }
 
 
@@ -136,12 +141,21 @@ class Zygote:
             return False
         message = json.loads(data)
         if "set up" in message:
-            self.set_up(SetUp(**message["set up"]))
+            try:
+                self.set_up(SetUp(**message["set up"]))
+            except (OSError, MemoryError) as error:
+                self._say({"not ready": True, **_short_of(error)})
+                raise
             self._say({"ready": True})
         elif "start" in message:
-            self._sweep()
-            self._start(message, descriptors[0])
-            self._say({"started": self._number})
+            self._number = message["start"]
+            try:
+                self._sweep()
+                self._start(message, descriptors[0])
+            except (OSError, MemoryError) as error:
+                self._say({"not started": self._number, **_short_of(error)})
+            else:
+                self._say({"started": self._number})
         elif "time since" in message:
             self._own_time.look(self._usage.processes())
             self._say({"had": self._own_time.since(message["time since"])})
@@ -149,32 +163,65 @@ class Zygote:
             if message["interrupt"] == self._number:
                 self._interrupt(message["only_forks"])
         elif "end" in message:
+            self._own_time.look(self._usage.processes())
             self._sweep()
-            self._say({"ended": message["end"]})
+            self._say({"ended": message["end"], "had": self._own_time.since(0.0)})
         return True
 
     def _start(self, message: dict[str, Any], descriptor: int) -> None:
+        """Fork a child and wait until it is confined.
+
+        Raises:
+            OSError: if it cannot be; that is never the student's doing, whose code has not run.
+        """
         limits = lockdown.Limits(**message["limits"])
         if not self._how.alone and not self._how.identity:  # as the instructor, who runs more
             limits = limits.beside(tasks_of(os.getuid()))
-        self._number = message["start"]
         self._own_time.begin()
         self._usage.begin(message["usage"])
-        child = os.fork()
-        if child:
-            os.close(descriptor)
-            self._child = child
-            return
+        reading, writing = os.pipe()
         try:
-            self._become_child(limits, message["seed"], descriptor)
-        except BaseException:
-            os.write(2, traceback.format_exc().encode())
+            child = os.fork()
+            if child == 0:
+                self._run_child(limits, message["seed"], descriptor, writing)
+            os.close(writing)
+            writing = -1
+            said = os.read(reading, 4096)
         finally:
-            os._exit(_NOT_CONFINED)
+            os.close(descriptor)
+            os.close(reading)
+            if writing >= 0:
+                os.close(writing)
+        if said != _CONFINED:
+            failure = json.loads(said or b"{}")
+            raise OSError(
+                failure.get("short") or errno.EAGAIN, "not confined", failure.get("where")
+            )
+        self._child = child
+        lockdown.give_way(child)
 
-    def _become_child(self, limits: lockdown.Limits, seed: int, descriptor: int) -> None:
+    def _run_child(
+        self, limits: lockdown.Limits, seed: int, descriptor: int, writing: int
+    ) -> NoReturn:
+        """Become the child, say so on a pipe that student code never has, and serve."""
+        try:
+            self._become_child(limits, seed, descriptor, writing)
+            os.write(writing, _CONFINED)
+        except BaseException as error:
+            os.write(2, traceback.format_exc().encode())
+            os.write(writing, json.dumps(_short_of(error)).encode())
+            os._exit(1)
+        os.close(writing)
+        try:
+            serve(socket.socket(fileno=descriptor), self._notebook)
+        finally:
+            os._exit(1)
+
+    def _become_child(
+        self, limits: lockdown.Limits, seed: int, descriptor: int, writing: int
+    ) -> None:
         how = self._how
-        lockdown.close_other_descriptors(0, 1, 2, descriptor)
+        lockdown.close_other_descriptors(0, 1, 2, descriptor, writing)
         prepare_process(seed)
         lockdown.die_with_parent()
         lockdown.show_memory()
@@ -188,13 +235,11 @@ class Zygote:
             if how.use_landlock
             else None
         )
-        lockdown.give_way()
+        nothing = os.open(os.devnull, os.O_WRONLY)
         lockdown.limit_resources(limits)
         lockdown.confine(ruleset, self._filter)
-        nothing = os.open(os.devnull, os.O_WRONLY)
         os.dup2(nothing, 2)
         os.close(nothing)
-        serve(socket.socket(fileno=descriptor), self._notebook)
 
     def _reap(self) -> None:
         """Collect ended processes; say so if the child was among them."""
@@ -249,9 +294,16 @@ def _why(status: int) -> str:
     if os.WIFSIGNALED(status):
         number = os.WTERMSIG(status)
         return _SIGNALS.get(signal.Signals(number), f"it ended by signal {number}")
-    if os.WEXITSTATUS(status) == _NOT_CONFINED:
-        return "it could not be confined"
     return "it ended its own process"
+
+
+def _short_of(error: BaseException) -> dict[str, Any]:
+    """The system's number of an error, and the file or the limit that it is about."""
+    if isinstance(error, MemoryError):
+        return {"short": errno.ENOMEM, "where": ""}
+    number = error.errno if isinstance(error, OSError) else None
+    where = error.filename if isinstance(error, OSError) else None
+    return {"short": number, "where": str(where or "")[:300]}
 
 
 def _bring_font_list(work: Path) -> None:

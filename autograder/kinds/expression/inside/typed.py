@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import inspect
-from collections.abc import Callable
+import builtins
 from typing import Any
 
 from autograder.errors import UsageError
@@ -28,12 +27,17 @@ def formula_of(id: str, text: str) -> Any:
         return ...
 
 
-def on_symbols(function: Callable[..., Any]) -> Any:
-    """What a function of the course makes of the symbols that its parameters are called after."""
+def in_a_cell(text: str) -> Any:
+    """What a cell makes of a text by the course's author: ``sp`` is sympy, other names symbols."""
     import sympy as sp
 
-    names = inspect.signature(function).parameters
-    return function(**{name: sp.Symbol(name, real=True) for name in names})
+    class Names(dict[str, Any]):
+        def __missing__(self, name: str) -> Any:
+            if hasattr(builtins, name):
+                raise KeyError(name)
+            return sp.Symbol(name, real=True)
+
+    return eval(text, {}, Names(sp=sp, sympy=sp))
 
 
 def read_expression(question: Expression, text: str) -> Any:
@@ -45,7 +49,7 @@ def read_expression(question: Expression, text: str) -> Any:
     tree = parse(text)
     import sympy as sp
 
-    symbols = {symbol: sp.Symbol(symbol, real=True) for symbol, _ in question.symbols}
+    symbols = {symbol: sp.Symbol(symbol, real=True) for symbol in question.symbols}
     constants = {"pi": sp.pi, "e": sp.E, "E": sp.E}
     functions = {name: getattr(sp, name) for name in _OF_SYMPY} | {
         "abs": sp.Abs,

@@ -1,0 +1,85 @@
+"""JSON schemas of what authors write, so that an editor completes it and underlines mistakes.
+
+They follow from the same types as the strict reader, so they never say anything else. Even Better
+TOML (VS Code) and other editors built on taplo find them by the file ``.taplo.toml``.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from typing import Any
+
+import msgspec
+
+from autograder.course import ANSWERS, QUESTIONS
+from autograder.kinds.registry import kind_named, kind_names
+
+FOLDER = ".schemas"
+
+_TAPLO = """# Editors built on taplo (Even Better TOML in VS Code) complete and check these files.
+[[rule]]
+include = ["{questions}/*.toml"]
+[rule.schema]
+path = "{folder}/questions.json"
+
+[[rule]]
+include = ["{answers}/*.toml"]
+[rule.schema]
+path = "{folder}/answers.json"
+"""
+
+
+def schema_files() -> Iterator[tuple[str, str]]:
+    """Each file's path within the course, and its text, for the kinds that are known by now."""
+    yield f"{FOLDER}/questions.json", _text(questions_schema())
+    yield f"{FOLDER}/answers.json", _text(answers_schema())
+    yield (
+        ".taplo.toml",
+        _TAPLO.format(questions=QUESTIONS.as_posix(), answers=ANSWERS.as_posix(), folder=FOLDER),
+    )
+
+
+def questions_schema() -> dict[str, Any]:
+    """What may stand in a file of questions."""
+    types = [kind_named(name).question_type for name in sorted(kind_names())]
+    (*references,), parts = msgspec.json.schema_components(types, ref_template="#/$defs/{name}")
+    for kind in types:
+        parts[kind.__name__]["properties"].pop("chapter", None)
+    return {
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        "title": "The questions of a chapter",
+        "type": "object",
+        "properties": {
+            "title": {"type": "string", "description": "the chapter's title"},
+            "question": {"type": "array", "items": {"anyOf": references}},
+        },
+        "required": ["title"],
+        "additionalProperties": False,
+        "$defs": parts,
+    }
+
+
+def answers_schema() -> dict[str, Any]:
+    """What may stand in a file of answers: for each question its key."""
+    kinds = [kind_named(name) for name in sorted(kind_names())]
+    types = [kind.answer_type for kind in kinds]
+    (*references,), parts = msgspec.json.schema_components(types, ref_template="#/$defs/{name}")
+    for kind in kinds:
+        fields = parts[kind.answer_type.__name__]["properties"]
+        fields.pop("id", None)
+        alternative = fields["alternative"]["items"]["$ref"].rpartition("/")[2]
+        for name in kind.formulas:  # of a question's variables, or plain values
+            plain = parts[alternative]["properties"][name]
+            parts[alternative]["properties"][name] = {"anyOf": [plain, {"type": "string"}]}
+    return {
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        "title": "The key to a chapter",
+        "type": "object",
+        "additionalProperties": {"anyOf": references},
+        "$defs": parts,
+    }
+
+
+def _text(schema: dict[str, Any]) -> str:
+    return json.dumps(schema, indent=2, ensure_ascii=False) + "\n"

@@ -1,0 +1,96 @@
+"""An author's table with numbers put in for its placeholders.
+
+A placeholder is a formula of the variables in braces, with a format if wanted: ``{w}``,
+``{100*w:g} %``, ``{log(1 - p) / log(1 - w**2):.2f}``. Braces that hold anything else, such as those
+of a formula in TeX, stay as they are; inside ``$...$`` the braces of a placeholder stay too, where
+they group and do no harm.
+"""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Collection, Mapping
+from functools import partial
+from typing import Any
+
+from autograder.errors import CourseError
+from autograder.kinds.formula import CONSTANTS, FUNCTIONS, evaluate_formula
+
+# What names things stays the same in every variant; the notebook's code reads variables itself.
+KEPT = frozenset({"id", "kind", "name", "variable", "function", "code", "story", "variables"})
+_BRACES = re.compile(r"\{([^{}]*)\}")
+_MATH = re.compile(r"(\$\$.*?\$\$|\$[^$\n]*\$)", re.DOTALL)
+
+
+def fill(
+    table: Mapping[str, Any], numbers: Mapping[str, int | float], formulas: Collection[str] = ()
+) -> dict[str, Any]:
+    """The table with numbers in all texts, and in the fields called ``formulas`` their values.
+
+    Raises:
+        CourseError: if a formula cannot be evaluated.
+    """
+    filled: dict[str, Any] = {}
+    for key, value in table.items():
+        if key in formulas and isinstance(value, str):
+            filled[key] = value_of(value, numbers)
+        else:
+            filled[key] = value if key in KEPT else _filled(value, numbers, formulas)
+    return filled
+
+
+def _filled(value: Any, numbers: Mapping[str, int | float], formulas: Collection[str]) -> Any:
+    if isinstance(value, str):
+        return fill_text(value, numbers)
+    if isinstance(value, list):
+        return [_filled(entry, numbers, formulas) for entry in value]
+    if isinstance(value, dict):
+        return fill(value, numbers, formulas)
+    return value
+
+
+def fill_text(text: str, numbers: Mapping[str, int | float]) -> str:
+    """A text with the values of its placeholders."""
+    if "{" not in text:
+        return text
+    parts = _MATH.split(text)
+    return "".join(
+        _BRACES.sub(partial(_value, numbers=numbers, in_math=bool(at % 2)), part)
+        for at, part in enumerate(parts)
+    )
+
+
+def _value(found: re.Match[str], numbers: Mapping[str, int | float], *, in_math: bool) -> str:
+    formula, _, form = found[1].partition(":")
+    if not _is_of(formula, numbers):
+        return found[0]
+    value = value_of(formula, numbers)
+    try:
+        shown = format(value, form or ("d" if isinstance(value, int) else ".10g"))
+    except ValueError:
+        raise CourseError(f"{found[0]} has a format that a number cannot have.") from None
+    return f"{{{shown}}}" if in_math else shown
+
+
+def _is_of(formula: str, numbers: Mapping[str, int | float]) -> bool:
+    """Whether it is a formula of the variables: one at least, and no other name."""
+    try:
+        tree = ast.parse(formula.strip(), mode="eval")
+    except (SyntaxError, ValueError):
+        return False
+    names = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}
+    return bool(names & numbers.keys()) and names <= {*numbers, *FUNCTIONS, *CONSTANTS}
+
+
+def value_of(formula: str, numbers: Mapping[str, int | float]) -> int | float:
+    """The value of a formula; whole where it is, so that it is printed and compared as such.
+
+    Raises:
+        CourseError: if it is not a formula of the variables, or has no finite value.
+    """
+    value = float(evaluate_formula(formula, {name: float(v) for name, v in numbers.items()}))
+    if value != value or value in (float("inf"), float("-inf")):
+        told = ", ".join(f"{name} = {number}" for name, number in numbers.items())
+        raise CourseError(f"The formula {formula!r} has no finite value with {told}.")
+    return int(value) if value.is_integer() and abs(value) < 2**53 else value

@@ -1,0 +1,110 @@
+"""The numbers of a question: what an author lets vary, and one choice of it.
+
+A story belongs to a chapter, and the questions that tell it share its numbers::
+
+    [story.cloud]
+    N = [1000, 500, 800]                                 # the first are the sheet's
+    w = {sheet = 0.2, from = 0.15, to = 0.4, step = 0.05}
+
+    [[question]]
+    story = "cloud"
+
+or a question has numbers of its own, under ``[question.variables]``. Variant 0 has the sheet's
+numbers; the others follow in a fixed order, so that a variant's number means the same everywhere.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from decimal import Decimal
+from typing import Any
+
+import msgspec
+
+from autograder.kinds.strict import Place
+from autograder.kinds.written import Written, check_python_name
+
+Number = int | float
+MOST = 100_000  # variants; more would only make the proof choose among more
+
+
+class Steps(Written, frozen=True, kw_only=True, rename={"first": "from", "last": "to"}):
+    """Values at equal distances, and the sheet's, which need not be one of them."""
+
+    sheet: Number
+    first: Number
+    last: Number
+    step: Number
+
+    def values(self) -> tuple[Number, ...]:
+        """The sheet's value, then the others, without the error of binary fractions."""
+        first, last, step = (Decimal(repr(v)) for v in (self.first, self.last, self.step))
+        count = int((last - first) / step) + 1 if last >= first and step > 0 else 0
+        if not 0 < count <= MOST:
+            raise ValueError("from must not be above to, and step must be above 0, not too small")
+        whole = all(isinstance(v, int) for v in (self.first, self.step))
+        made = [first + i * step for i in range(count)]
+        rest = [int(v) if whole else float(v) for v in made]
+        return (self.sheet, *(v for v in rest if v != self.sheet))
+
+
+@dataclass(frozen=True)
+class Variables:
+    """What varies: for each name its values, the sheet's first. ``name`` tells stories apart."""
+
+    name: str
+    values: Mapping[str, tuple[Number, ...]]
+
+    @property
+    def count(self) -> int:
+        """How many variants there are."""
+        return math.prod(len(values) for values in self.values.values())
+
+    def numbers(self, variant: int) -> dict[str, Number]:
+        """The numbers of a variant, from 0 to `count` - 1."""
+        chosen = {}
+        for name, values in self.values.items():
+            variant, at = divmod(variant, len(values))
+            chosen[name] = values[at]
+        return chosen
+
+    def variant_of(self, chapter: str, student: str) -> int:
+        """The variant of a student: the same on every machine and after every reinstall."""
+        matter = f"{chapter}\0{self.name}\0{canonical(student)}".encode()
+        return int.from_bytes(hashlib.sha256(matter).digest()[:8], "big") % self.count
+
+
+def canonical(student: str) -> str:
+    """A name or number as it is compared: without capitals and without needless blanks."""
+    return " ".join(student.casefold().split())
+
+
+def read_variables(table: Any, name: str, place: Place) -> Variables:
+    """The variables in an author's table.
+
+    Raises:
+        CourseError: if it holds something else than lists of numbers and steps.
+    """
+    values: dict[str, tuple[Number, ...]] = {}
+    if not isinstance(table, dict) or not table:
+        raise place.error("variables are a table such as {w = [0.2, 0.3]}")
+    for key, given in table.items():
+        try:
+            check_python_name("a variable", key)
+            if isinstance(given, list):
+                values[key] = msgspec.convert(given, tuple[Number, ...])
+            else:
+                values[key] = msgspec.convert(given, Steps).values()
+            if not values[key] or not all(math.isfinite(value) for value in values[key]):
+                raise ValueError("give at least one value, and finite ones")
+            if len(set(values[key])) != len(values[key]):
+                raise ValueError("a value stands twice")
+        except ValueError as error:
+            raise place.error(f"the variable {key!r}: {error}", (key,)) from None
+    variables = Variables(name, values)
+    if variables.count > MOST:
+        raise place.error(f"there are {variables.count:,} variants; give at most {MOST:,}")
+    return variables

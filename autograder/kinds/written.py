@@ -1,0 +1,47 @@
+"""What an author writes: the base of every table, and the types of its fields.
+
+A table is a `msgspec.Struct`. Its fields say what may stand in the file, and both the strict reader
+(`autograder.kinds.strict`) and the schema for editors (`autograder.kinds.schema`) follow from them.
+What no type can say is checked in ``__post_init__``, which raises a `ValueError` whose text is the
+problem alone; the reader adds where it is.
+"""
+
+from __future__ import annotations
+
+import keyword
+import re
+from typing import Annotated
+
+import msgspec
+from msgspec import Meta
+
+BLANK = r"\S"  # what a text must match that may not be blank
+ID = r"^Q\d+(\.\d+)*[a-z]?\d?$"
+NAME = r"^[A-Za-z_][A-Za-z0-9_]*$"
+
+Text = Annotated[str, Meta(pattern=BLANK)]
+PythonName = Annotated[str, Meta(pattern=NAME)]
+Points = Annotated[
+    float, Meta(ge=0, le=1e9, description="what a right response earns; 0: ungraded")
+]
+Credit = Annotated[float, Meta(ge=0, le=1, description="the share of the points it earns, 0 to 1")]
+
+
+class Written(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """A table with known fields, all of the right type; texts have no blanks around them."""
+
+    def __post_init__(self) -> None:
+        for field in self.__struct_fields__:
+            value = getattr(self, field)
+            if isinstance(value, str) and value != value.strip():
+                msgspec.structs.force_setattr(self, field, value.strip())
+
+
+def check_python_name(what: str, name: str) -> None:
+    """Whether a variable, a function or a symbol may be called so.
+
+    Raises:
+        ValueError: if not.
+    """
+    if not re.fullmatch(NAME, name) or keyword.iskeyword(name):
+        raise ValueError(f"{what} is {name!r}, which is not a Python name")

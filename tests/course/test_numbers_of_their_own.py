@@ -1,0 +1,170 @@
+"""Questions with variables: the sheet's numbers, and each student's own."""
+
+from __future__ import annotations
+
+import pytest
+from tiny_course import TinyCourse, make_tiny_course
+
+from autograder.course.filling import fill, fill_text
+from autograder.errors import CourseError
+from autograder.marking.marker import Marker
+
+QUESTIONS = """
+[story.market]
+boxes = [3, 5, 7, 11]
+price = {sheet = 0.5, from = 0.1, to = 0.4, step = 0.1}
+
+[[question]]
+id = "Q7"
+kind = "number"
+title = "Eggs at {price} each"
+points = 2
+story = "market"
+variable = "bought"
+integer = true
+prompt = '''{boxes} boxes of 4 eggs at ${price}$ each: how many eggs? $\\frac{1}{2}$, $x_{boxes}$'''
+hints = ["A box costs {4*price:.2f}."]
+
+[[question]]
+id = "Q7.1"
+kind = "number"
+title = "All of them"
+points = 1
+variable = "cost"
+decimals = 2
+prompt = "What do they cost?"
+hints = ["Multiply."]
+story = "market"
+
+[[question]]
+id = "Q7.2"
+kind = "number"
+title = "Alone"
+points = 1
+variable = "alone"
+decimals = 1
+prompt = "Halve {m}."
+hints = ["Divide."]
+variables = {m = [3, 4, 5]}
+"""
+ANSWERS = """
+["Q7"]
+explanation = "{boxes} times 4 is {4*boxes}."
+code = "4 * boxes"
+alternative = [
+    {name = "right", credit = 1, value = "4*boxes"},
+    {name = "added", credit = 0.25, value = "4 + boxes", feedback = "{boxes} + 4 adds."},
+]
+
+["Q7.1"]
+code = "4 * boxes * price"
+alternative = [{name = "right", credit = 1, value = "4*boxes*price"}]
+
+["Q7.2"]
+code = "m / 2"
+alternative = [{name = "right", credit = 1, value = "m/2"}]
+"""
+
+
+@pytest.fixture
+def market(tmp_path) -> TinyCourse:
+    course = make_tiny_course(tmp_path / "course")
+    course.append("notebooks/questions/kitchen.toml", QUESTIONS.replace("[story", "\n[story", 1))
+    course.append("solutions/answers/kitchen.toml", ANSWERS)
+    course.replace("pyproject.toml", "[tool.autograder]", '[tool.autograder]\nvariants = "student"')
+    return course
+
+
+def test_variant_0_has_the_sheets_numbers(market):
+    course = market.load()
+    question = course.question("Q7")
+    assert question.prompt.startswith("3 boxes of 4 eggs at ${0.5}$ each")
+    assert question.prompt.endswith(r"$\frac{1}{2}$, $x_{3}$")
+    assert question.title == "Eggs at 0.5 each"
+    assert question.hints == ("A box costs 2.00.",)
+    assert course.key["Q7"].alternatives[0].value == 12
+    assert course.key["Q7"].explanation == "3 times 4 is 12."
+    assert course.key["Q7"].code == "4 * boxes"
+
+
+def test_a_student_has_numbers_of_their_own_and_a_story_keeps_them(market):
+    course = market.load()
+    seen = set()
+    for name in ("Ada Lovelace", "17-123-456", "boole", "kepler", "Émilie"):
+        own = course.for_student(name)
+        numbers = own.numbers("Q7")
+        assert numbers == own.numbers("Q7.1")
+        seen.add(tuple(numbers.values()))
+        assert own.question("Q7").prompt.startswith(f"{numbers['boxes']} boxes")
+        assert own.key["Q7"].alternatives[1].value == 4 + numbers["boxes"]
+        assert own.question("Q1.3") is course.question("Q1.3")
+        assert own.for_student(name).variants == own.variants
+    assert len(seen) > 1
+    again = course.for_student("  ada   LOVELACE ")
+    assert again.numbers("Q7") == course.for_student("Ada Lovelace").numbers("Q7")
+
+
+def test_every_variant_has_numbers_of_its_own(market):
+    variables = market.load().varied["Q7"].variables
+    assert variables.count == 4 * 5
+    assert len({tuple(variables.numbers(n).values()) for n in range(20)}) == 20
+    assert variables.values["price"] == (0.5, 0.1, 0.2, 0.3, 0.4)
+
+
+def test_a_student_is_marked_by_their_own_numbers(market):
+    marker = Marker(market.load(), 3)
+    marker.prepare(["Q1.3", "Q7"])
+    own = marker.for_student("ada")
+    boxes = own.course.numbers("Q7")["boxes"]
+    right = own.mark("Q7", {"state": "given", "value": 4 * boxes})
+    added = own.mark("Q7", {"state": "given", "value": 4 + boxes})
+    assert (right.status, added.alternative) == ("right", "added")
+    assert added.feedback == f"{boxes} + 4 adds."
+    assert own.drawn("Q1.3") is marker.drawn("Q1.3")
+
+
+def test_without_the_setting_everybody_has_the_sheets(market):
+    market.replace("pyproject.toml", '"student"', '"sheet"')
+    course = market.load()
+    assert course.for_student("ada") is course
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "problem"),
+    [
+        ("boxes = [3, 5, 7, 11]", "boxes = []", "at least one value"),
+        ("boxes = [3, 5, 7, 11]", "boxes = [3, 3]", "stands twice"),
+        ("boxes = [3, 5, 7, 11]", 'boxes = ["3"]', "the variable 'boxes'"),
+        ("step = 0.1", "step = 0", "the variable 'price'"),
+        ("to = 0.4", "to = 0.0", "the variable 'price'"),
+        (
+            'story = "market"\nvariable = "bought"',
+            'story = "m"\nvariable = "bought"',
+            "no [story.m]",
+        ),
+        ('"student"', '"everybody"', "write "),
+    ],
+)
+def test_what_an_author_wrote_wrong_is_said(market, old, new, problem):
+    for file in ("notebooks/questions/kitchen.toml", "pyproject.toml"):
+        if old in (market.root / file).read_text():
+            market.replace(file, old, new)
+    with pytest.raises(CourseError) as caught:
+        market.load()
+    assert problem in str(caught.value)
+
+
+def test_a_formula_without_a_value_is_said_with_its_numbers(market):
+    market.replace("solutions/answers/kitchen.toml", '"4*boxes"', '"log(boxes - 3)"')
+    with pytest.raises(CourseError, match=r"Q7 .*no finite value with boxes = 3, price = 0.5"):
+        market.load().key  # noqa: B018
+
+
+def test_braces_of_other_things_stay():
+    numbers = {"w": 0.2, "N": 1000}
+    text = r"{x} { } {w:.1%} {N} $\frac{N}{2}$ $w^{k}$ {w + unknown} {import os}"
+    filled = r"{x} { } 20.0% 1000 $\frac{1000}{2}$ $w^{k}$ {w + unknown} {import os}"
+    assert fill_text(text, numbers) == filled
+    assert fill({"id": "{w}", "title": ["{w}"], "a": {"b": 1}}, numbers) == {
+        "id": "{w}", "title": ["0.2"], "a": {"b": 1},
+    }  # fmt: skip
