@@ -86,10 +86,11 @@ class Journey:
     def votes(self, level: Level, weighted: bool = False, voters: int | None = None) -> np.ndarray:
         """Return the votes of the query's first `voters` spots (all by default) for each place."""
         votes = np.zeros(len(self.places))
-        if level.words is None or level.rows is None or (weighted and level.weights is None):
+        weights = level.weights if weighted else np.ones(level.word_count)
+        if level.words is None or level.rows is None or weights is None:
             return votes
         for word in level.words[:voters]:
-            votes[level.rows[word]] += level.weights[word] if weighted else 1
+            votes[level.rows[word]] += weights[word]
         return votes
 
     def _grown(self, children: int) -> list[Level]:
@@ -102,14 +103,15 @@ class Journey:
         levels = []
         for depth in range(1, DEPTH + 1):
             count, above = children**depth, children ** (DEPTH - depth)
-            words = [None if leaf is None else leaf // above for leaf in leaves]
+            words = [leaf // above for leaf in leaves if leaf is not None]
             rows = weights = None
-            if words[0] is not None:
+            if words:
                 rows = self._rows(words[1:], count)
                 bags = np.array([np.bincount(word, minlength=count) for word in words[1:]])
                 weights = self._weights(bags)
             sizes = np.bincount(members // above, minlength=count)
-            levels.append(Level(count, words[0], rows, weights, sizes, members // above))
+            own = words[0] if words else None
+            levels.append(Level(count, own, rows, weights, sizes, members // above))
         return levels
 
     def _words(self, descriptors: np.ndarray, centers: list[np.ndarray]) -> np.ndarray | None:
@@ -210,10 +212,13 @@ def _values(journey: Journey) -> dict[str, Any]:
 
 
 def _level(level: Level, shown: dict[int, int]) -> dict[str, Any]:
-    examples = {}
+    examples: dict[str, list[int]] = {}
     visited = [] if level.words is None else np.unique(level.words).tolist()
     for word in visited:
         members = np.flatnonzero(level.members == word)
+        if len(members) == 0:  # the walk's spots went elsewhere in training
+            examples[str(word)] = []
+            continue
         chosen = members[np.linspace(0, len(members) - 1, _EXAMPLES).astype(int)]
         examples[str(word)] = [
             shown.setdefault(int(spot), len(shown)) for spot in dict.fromkeys(chosen)

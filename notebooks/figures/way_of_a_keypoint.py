@@ -36,7 +36,8 @@ def journey(journey: Journey) -> None:
     name, views = journey.places[place], journey.views[place]
 
     fig = figure(8, 8.4)
-    top, middle, bottom = fig.subfigures(3, 1, height_ratios=[3, 2.2, 3])
+    parts: Any = fig.subfigures(3, 1, height_ratios=[3, 2.2, 3])
+    top, middle, bottom = parts
     photo, way = top.subplots(1, 2, width_ratios=[1.4, 1])
     photograph(photo, journey.photographs[journey.query], f"{journey.query}: keypoint {number + 1}")
     photo.plot(*spots[number].pt, "o", mfc="none", mec=VERMILLION, mew=2.5, markersize=14)
@@ -82,6 +83,8 @@ def _draw_way(axes: Axes, journey: Journey, levels: list[Level], number: int) ->
         members = np.flatnonzero(level.members == node)
         text = f"level {row + 1}: row {node}, {level.sizes[node]} spots of the walk"
         axes.text(0, low + 1.05, text, fontsize=8)
+        if len(members) == 0:
+            continue
         for column, spot in enumerate(
             members[np.linspace(0, len(members) - 1, EXAMPLES).astype(int)]
         ):
