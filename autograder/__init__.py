@@ -7,10 +7,10 @@ handed in.
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from autograder.student.api import ask, check, progress, submit
+    from autograder.student.api import ask, check, me, progress, submit
 
 __version__ = "0.1.0"
-__all__ = ["ask", "check", "progress", "submit"]
+__all__ = ["ask", "check", "me", "progress", "submit"]
 
 
 def __getattr__(name: str) -> Any:

@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import errno
 import tempfile
+from pathlib import Path
 
 _SHORT_OF = {
     errno.EMFILE: "This process may not open any more files (ulimit -n)",
@@ -86,6 +87,19 @@ def raise_if_short(error: BaseException) -> None:
     short = machine_error(error)
     if short is not None:
         raise short from None
+
+
+def refuse_link(path: Path) -> None:
+    """Refuse to write where somebody has put a link.
+
+    Raises:
+        MachineError: if there is one.
+    """
+    if path.is_symlink():
+        raise MachineError(
+            f"{path} is a link, and nothing is written through it. Remove it, or name another "
+            "folder with --out."
+        )
 
 
 def short_of(number: int, where: str = "") -> MachineError | None:

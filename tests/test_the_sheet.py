@@ -201,7 +201,7 @@ WRONG_NUMBERS: dict[str, list[tuple[float, str]]] = {
         (math.ceil(iterations(0.2)), "one inlier"),
         (math.ceil(-math.log(0.05) / 0.008), "log"),
         (74 * 3 / 2, "3/2"),
-        (74 * 5, "five times"),
+        (74 * 5, "5 times"),
         (math.ceil(iterations(0.8**3)), "20 %"),
     ],
 }

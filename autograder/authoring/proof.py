@@ -16,6 +16,7 @@ from pathlib import Path
 
 from autograder.authoring.build import build_student_notebooks, unexecuted_solved_notebooks
 from autograder.authoring.proof_by_mutants import prove_by_mutants, untested_promises
+from autograder.authoring.proof_of_variants import prove_variants
 from autograder.course import ANSWERS, QUESTIONS, Course, load_course
 from autograder.course.answers import Answer
 from autograder.course.questions import Question
@@ -57,6 +58,9 @@ def prove_course(
             problems.append(f"{question.id}: {error}")
     if problems:
         return problems
+    if course.varied:
+        report("variants")
+        problems += prove_variants(course)
     if mutants:
         try:
             problems += prove_by_mutants(course, report)

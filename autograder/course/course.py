@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import hashlib
 import json
 import os
@@ -14,7 +15,7 @@ from typing import Any
 
 from autograder.course.answers import Answer, answer_from_table
 from autograder.course.questions import Question, Written
-from autograder.errors import CourseError, UsageError
+from autograder.errors import AutograderError, CourseError, UsageError, machine_error
 from autograder.kinds.registry import load_kind
 from autograder.kinds.strict import Place
 from autograder.kinds.variables import Variables, read_variables
@@ -67,6 +68,7 @@ class Course:
     settings: Settings
     own_kinds: tuple[str, ...] = ()  # packages of the kinds of question that it brings along
     personal: bool = False  # whether each student has numbers of their own
+    others_count: bool = True  # whether work on somebody else's numbers counts
     variants: Mapping[str, int] = field(default_factory=dict)  # of the questions that have any
 
     @cached_property
@@ -116,12 +118,15 @@ class Course:
 
         All that does not vary is shared with this one.
         """
+        changed = {id for id in self.varied if variants.get(id, 0) != self.variants.get(id, 0)}
+        if not changed:
+            return self
         chapters = tuple(
             replace(
                 chapter,
                 questions=tuple(
                     written.question(variants.get(question.id, 0))
-                    if written.variables is not None
+                    if question.id in changed
                     else question
                     for question, written in zip(chapter.questions, chapter.written, strict=True)
                 ),
@@ -129,10 +134,11 @@ class Course:
             for chapter in self.chapters
         )
         made = replace(self, chapters=chapters, variants=dict(variants))
+        if self.has_key:
+            made.__dict__["answer_tables"] = self.answer_tables
         if "key" in self.__dict__:
-            varied = {id: made._answer(made.question(id)) for id in self.varied}
+            varied = {id: made._answer(made.question(id)) for id in changed}
             made.__dict__["key"] = {**self.key, **varied}
-        made.__dict__["answer_tables"] = self.__dict__.get("answer_tables", self.answer_tables)
         return made
 
     def for_student(self, student: str) -> Course:
@@ -236,13 +242,16 @@ class Course:
 
 
 def _digest_file(path: Path, update: Callable[[bytes], object]) -> None:
-    with path.open("rb") as file:
-        size = file.seek(0, os.SEEK_END)
-        file.seek(0)
-        update(f"{size}\0".encode())
-        update(file.read(_LARGE_FILE // 2))
-        file.seek(max(_LARGE_FILE // 2, size - _LARGE_FILE // 2))
-        update(file.read(_LARGE_FILE // 2))
+    try:
+        with path.open("rb") as file:
+            size = file.seek(0, os.SEEK_END)
+            file.seek(0)
+            update(f"{size}\0".encode())
+            update(file.read(_LARGE_FILE // 2))
+            file.seek(max(_LARGE_FILE // 2, size - _LARGE_FILE // 2))
+            update(file.read(_LARGE_FILE // 2))
+    except OSError as error:
+        raise _unreadable(path, error) from None
 
 
 def find_course_root(start: Path | None = None) -> Path:
@@ -306,8 +315,10 @@ def load_course(root: Path | None = None) -> Course:
     if not chapters:
         raise CourseError(f"{root / QUESTIONS} holds no questions; add a CHAPTER.toml.")
     _reject_duplicates(chapters)
-    personal = _is_personal(root, tools)
-    return Course(root, tuple(chapters), _read_settings(root, tools), own_kinds, personal)
+    personal = _one_of(root, tools, "variants", ("sheet", "student")) == "student"
+    others = _one_of(root, tools, "others_numbers", ("count", "nothing")) == "count"
+    settings = _read_settings(root, tools)
+    return Course(root, tuple(chapters), settings, own_kinds, personal, others)
 
 
 def _read_stories(stories: Any, text: str, file: Path) -> dict[str, Variables]:
@@ -366,6 +377,16 @@ def _read_toml(path: Path, missing: str) -> tuple[str, dict[str, Any]]:
         raise CourseError(f"{path} is missing; {missing}.") from None
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
         raise CourseError(f"{path} cannot be read: {error}.") from None
+    except OSError as error:
+        raise _unreadable(path, error) from None
+
+
+def _unreadable(path: Path, error: OSError) -> AutograderError:
+    """What keeps a file of the course from being read: this machine, its permissions, its kind."""
+    said = CourseError(
+        f"{path} cannot be read ({error.strerror or error}); make it a file that you may read."
+    )
+    return said if error.errno in (errno.EACCES, errno.EPERM) else machine_error(error) or said
 
 
 def _read_tool_table(root: Path) -> dict[str, Any]:
@@ -393,15 +414,15 @@ def _own_kinds(root: Path, table: dict[str, Any]) -> tuple[str, ...]:
     return tuple(packages)
 
 
-def _is_personal(root: Path, table: dict[str, Any]) -> bool:
-    """Whether each student has numbers of their own, by ``variants`` in the settings."""
-    chosen = table.pop("variants", "sheet")
-    if chosen not in ("sheet", "student"):
+def _one_of(root: Path, table: dict[str, Any], name: str, choices: tuple[str, ...]) -> str:
+    """A setting that has one of a few values; the first where nothing is said."""
+    chosen = table.pop(name, choices[0])
+    if chosen not in choices:
         raise CourseError(
-            f"variants of [tool.autograder] in {root / 'pyproject.toml'} is {chosen!r}; write "
-            '"sheet" (everybody has the sheet\'s numbers) or "student" (everybody their own).'
+            f"{name} of [tool.autograder] in {root / 'pyproject.toml'} is {chosen!r}; write "
+            f"{' or '.join(repr(choice) for choice in choices)}."
         )
-    return bool(chosen == "student")
+    return str(chosen)
 
 
 def _packages(value: Any, where: str) -> tuple[str, ...]:

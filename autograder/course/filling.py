@@ -2,8 +2,8 @@
 
 A placeholder is a formula of the variables in braces, with a format if wanted: ``{w}``,
 ``{100*w:g} %``, ``{log(1 - p) / log(1 - w**2):.2f}``. Braces that hold anything else, such as those
-of a formula in TeX, stay as they are; inside ``$...$`` the braces of a placeholder stay too, where
-they group and do no harm.
+of a formula in TeX, stay as they are; inside ``$...$`` a placeholder keeps its braces where they
+group, as in ``x^{N}`` and ``\\frac{N}{2}``.
 """
 
 from __future__ import annotations
@@ -34,7 +34,9 @@ def fill(
     filled: dict[str, Any] = {}
     for key, value in table.items():
         if key in formulas and isinstance(value, str):
-            filled[key] = value_of(value, numbers)
+            # As an author would write it down: the last bits are those of one order of operations.
+            exact = value_of(value, numbers)
+            filled[key] = exact if isinstance(exact, int) else float(f"{exact:.9g}")
         else:
             filled[key] = value if key in KEPT else _filled(value, numbers, formulas)
     return filled
@@ -70,7 +72,8 @@ def _value(found: re.Match[str], numbers: Mapping[str, int | float], *, in_math:
         shown = format(value, form or ("d" if isinstance(value, int) else ".10g"))
     except ValueError:
         raise CourseError(f"{found[0]} has a format that a number cannot have.") from None
-    return f"{{{shown}}}" if in_math else shown
+    grouped = in_math and found.string[: found.start()][-1:] not in ("", " ", "$", "(", "=", "+")
+    return f"{{{shown}}}" if grouped else shown
 
 
 def _is_of(formula: str, numbers: Mapping[str, int | float]) -> bool:

@@ -9,7 +9,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from urllib.parse import quote
 
-from autograder.errors import AutograderError, machine_error, short_of
+from autograder.errors import AutograderError, machine_error, refuse_link, short_of
 
 BUSY_SECONDS = 30.0  # how long a writer waits for another one
 
@@ -110,6 +110,8 @@ def connect(path: Path, create: bool) -> sqlite3.Connection:
             f"There is no gradebook at {path}; run `autograder grade` first, or name its folder "
             "with --out."
         )
+    for name in ("", "-wal", "-shm", "-journal"):
+        refuse_link(path.with_name(path.name + name))
     with readable_errors(path):
         path.parent.mkdir(parents=True, exist_ok=True)
         mode = "rwc" if create else "rw"
@@ -144,6 +146,12 @@ def readable_errors(path: Path) -> Iterator[None]:
             raise short_of(errno.ENOSPC, str(path)) or error from None
         if error.sqlite_errorcode == sqlite3.SQLITE_NOMEM:
             raise short_of(errno.ENOMEM) or error from None
+        if error.sqlite_errorcode == sqlite3.SQLITE_ERROR:
+            raise GradebookError(
+                f"{path} cannot be read as a gradebook: its tables are not those of the "
+                f"schema that it names ({error}); restore it from a copy, or move it away and "
+                "grade again."
+            ) from None
         raise GradebookError(
             f"{path} cannot be used now ({error}); if another autograder is writing there, wait "
             "for it, otherwise check the disk and the folder's permissions."
@@ -158,6 +166,18 @@ def readable_errors(path: Path) -> Iterator[None]:
             raise short from None
         raise GradebookError(
             f"{path} cannot be written ({error}); choose another folder with --out."
+        ) from None
+
+
+@contextmanager
+def readable_entries(path: Path) -> Iterator[None]:
+    """Say in one sentence that what stands in a table is not what was written there."""
+    try:
+        yield
+    except (ValueError, TypeError, LookupError, AttributeError, RecursionError) as error:
+        raise GradebookError(
+            f"{path} holds an entry that cannot be read ({error}); restore it from a copy, or move "
+            "it away and grade again."
         ) from None
 
 

@@ -91,6 +91,7 @@ def pack_result(result: Graded | Broken) -> bytes:
             "notes": result.notes,
             "seconds": result.seconds,
             "doubtful": result.is_doubtful,
+            "numbers_of": result.numbers_of,
         }
     )
 
@@ -108,6 +109,7 @@ def unpack_result(data: bytes, submission: Submission) -> Graded | Broken:
         tuple(fields["notes"]),
         fields["seconds"],
         fields["doubtful"],
+        fields["numbers_of"],
     )
 
 

@@ -28,6 +28,7 @@ class Graded:
     notes: tuple[str, ...] = ()
     seconds: float = 0.0
     is_doubtful: bool = False
+    numbers_of: str = ""  # who the work says it is from, where each student has their own numbers
 
     @property
     def total(self) -> float:

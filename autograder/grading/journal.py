@@ -17,7 +17,7 @@ from collections import Counter
 from pathlib import Path
 from typing import Protocol
 
-from autograder.errors import machine_error
+from autograder.errors import machine_error, refuse_link
 from autograder.intake.submissions import Submission
 from autograder.intake.times import snapshot
 
@@ -60,6 +60,7 @@ class Journal:
         self._at_work: set[str] = set()
         self._keys: dict[str, str] = {}
         self._deaths: Counter[str] = Counter()
+        refuse_link(path)
         try:
             path.parent.mkdir(parents=True, exist_ok=True)
             flags = os.O_RDWR | os.O_CREAT | os.O_APPEND | getattr(os, "O_NOFOLLOW", 0)
@@ -85,7 +86,8 @@ class Journal:
             self._path.unlink(missing_ok=True)
 
     def deaths(self, submission: Submission) -> int:
-        return self._deaths[self._key(submission)]
+        # No key is made, and kept for later, of each in a large class of which none ever died.
+        return self._deaths[self._key(submission)] if self._deaths else 0
 
     def begin(self, submission: Submission) -> None:
         key = self._key(submission)
@@ -99,6 +101,7 @@ class Journal:
             del self._deaths[key]
             self._write(["died", key, 0])
         self._write(["ended", key])
+        del self._keys[submission.student]
 
     def _key(self, submission: Submission) -> str:
         """The key of a submission, as its files were when it was asked for first."""

@@ -8,6 +8,7 @@ from dataclasses import replace
 
 from autograder.course import Course
 from autograder.errors import AutograderError, machine_error
+from autograder.exchange.identity import said_to_be
 from autograder.grading.chapter import grade_chapter
 from autograder.grading.graded import Graded, grader_failed, same_mark_for_all
 from autograder.intake.submissions import Contents, Submission
@@ -49,7 +50,8 @@ def grade_submission(
         fingerprint, notes = "", (*notes, said)
     seconds = time.monotonic() - began
     doubtful = sandbox.doubt.is_doubtful
-    return Graded(submission, "graded", fingerprint, marks, notes, seconds, doubtful)
+    said = said_to_be(contents.sidecars) if marker.course.personal else ""
+    return Graded(submission, "graded", fingerprint, marks, notes, seconds, doubtful, said)
 
 
 def grade_contents(
@@ -58,8 +60,12 @@ def grade_contents(
     sandbox: Sandbox,
     questions: Collection[str] | None = None,
 ) -> list[Mark]:
-    """Mark the notebooks of one student, in the order of the course's questions."""
+    """Mark the notebooks of one student, in the order of the course's questions.
+
+    Where students have numbers of their own, these are those of whom the work says it is from.
+    """
     contents = _by_chapter(contents, marker.course)
+    marker = marker.for_student(said_to_be(contents.sidecars))
     deadline = time.monotonic() + marker.course.settings.submission_seconds
     return [
         mark

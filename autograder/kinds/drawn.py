@@ -2,8 +2,27 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import Any
+
+from autograder.kinds.answer import Answer
+from autograder.kinds.question import Question
+
+
+@dataclass(frozen=True)
+class Around:
+    """What stands around a question, with which a wrong response may have been mixed up.
+
+    ``neighbours`` are the other questions of the same kind in its chapter with their keys, and
+    ``numbers`` those that the chapter's notebook gives to names, such as ``w = 0.2``.
+    """
+
+    neighbours: tuple[tuple[Question, Answer], ...] = ()
+    numbers: Mapping[str, float] = field(default_factory=dict)
+
+
+NOTHING_AROUND = Around()
 
 
 @dataclass(frozen=True)
@@ -23,6 +42,7 @@ class Drawn:
     probe: dict[str, Any]
     expected: Any = None
     shows_first: bool = False
+    around: Around = NOTHING_AROUND
     tells: bool = True
 
     @property

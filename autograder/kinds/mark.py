@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import asdict, dataclass
 from typing import Any
 
+import msgspec
+
 from autograder.kinds.question import Question
 from autograder.kinds.status import Status
 
@@ -79,9 +81,12 @@ class Mark:
 
     @classmethod
     def from_dict(cls, fields: dict[str, Any]) -> Mark:
-        """The mark that `to_dict` wrote."""
-        parts = tuple(Part(**part) for part in fields["parts"])
-        return cls(**{**fields, "parts": parts})
+        """The mark that `to_dict` wrote.
+
+        Raises:
+            ValueError: if it is anything else; what a newer version wrote besides is left out.
+        """
+        return msgspec.convert(fields, cls)
 
 
 def status_for(credit: float) -> str:

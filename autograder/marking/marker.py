@@ -12,10 +12,16 @@ from dataclasses import replace
 from typing import Any
 
 from autograder.course import Course
+from autograder.course.questions import Question
+from autograder.kinds.answer import Answer
 from autograder.kinds.drawn import Drawn
 from autograder.kinds.registry import kind_of
 from autograder.marking import Mark
+from autograder.marking.around import around
 from autograder.marking.draw import draw, seed_of_set
+
+OTHER_NUMBERS = "right for other numbers"  # the name of the mistake
+MOST_TRIED = 500  # variants that a wrong response is compared with
 
 
 class Marker:
@@ -29,6 +35,8 @@ class Marker:
         self.seed = seed
         self._tells = tells
         self._drawn: dict[str, Drawn] = {}
+        self._variants: dict[str, list[tuple[Question, Answer, Drawn]]] = {}
+        self._of_all: Marker | None = None  # of whom this is the marker of one student
         self._sets: dict[int, Marker] = {}
         self._lock, self._drawing = threading.Lock(), threading.Lock()
 
@@ -50,13 +58,16 @@ class Marker:
             UsageError: if there is no such question.
             CourseError: if its key is broken.
         """
+        if self._of_all is not None and id not in self.course.variants:
+            return self._of_all.drawn(id)
         if id not in self._drawn:
             with self._drawing:  # once, whichever of several threads asks first
                 if id not in self._drawn:
                     question = self.course.question(id)
                     answer = self.course.key[id]
                     drawn = draw(question, answer, self.seed, self.course.root)
-                    self._drawn[id] = replace(drawn, tells=self._tells)
+                    near = around(self.course, question)
+                    self._drawn[id] = replace(drawn, tells=self._tells, around=near)
         return self._drawn[id]
 
     def for_student(self, student: str) -> Marker:
@@ -67,8 +78,8 @@ class Marker:
         course = self.course.for_student(student)
         if course is self.course:
             return self
-        own = Marker(course, self.seed)
-        own._drawn = {id: drawn for id, drawn in self._drawn.items() if id not in course.variants}
+        own = Marker(course, self.seed, self._tells)
+        own._variants, own._of_all = self._variants, self
         return own
 
     def prepare(self, ids: Collection[str] | None = None) -> None:
@@ -82,6 +93,35 @@ class Marker:
         Nothing in it is trusted. ``understood`` is what it looked like before any probe was sent.
         """
         question = self.course.question(id)
-        return kind_of(question).mark(
+        mark = kind_of(question).mark(
             question, self.course.key[id], self.drawn(id), response, understood
         )
+        if id in self.course.variants and mark.status == "wrong" and mark.alternative is None:
+            return self._of_other_numbers(mark, response, understood) or mark
+        return mark
+
+    def _all_variants(self, id: str) -> list[tuple[Question, Answer, Drawn]]:
+        """The variants of a question, made once for all students."""
+        if id not in self._variants:
+            variables = self.course.varied[id].variables
+            assert variables is not None
+            made = []
+            for variant in range(min(variables.count, MOST_TRIED)):
+                course = self.course.with_variants({id: variant})
+                question, answer = course.question(id), course.key[id]
+                made.append((question, answer, draw(question, answer, self.seed, course.root)))
+            self._variants[id] = made
+        return self._variants[id]
+
+    def _of_other_numbers(self, mark: Mark, response: Any, understood: str) -> Mark | None:
+        """The mark with a name, if the response is right for the numbers of somebody else."""
+        variables = self.course.varied[mark.question].variables
+        assert variables is not None
+        for variant, (question, answer, drawn) in enumerate(self._all_variants(mark.question)):
+            other = kind_of(question).mark(question, answer, drawn, response, understood)
+            if other.status == "right":
+                numbers = variables.numbers(variant)
+                told = ", ".join(f"{name} = {value:g}" for name, value in numbers.items())
+                feedback = f"That is right for other numbers ({told}); yours stand in the question."
+                return replace(mark, alternative=OTHER_NUMBERS, feedback=feedback)
+        return None

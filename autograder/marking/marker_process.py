@@ -8,6 +8,7 @@ itself never leaves this process, and nothing of the student's runs in it.
 
 from __future__ import annotations
 
+import json
 import os
 import secrets
 import sys
@@ -16,6 +17,7 @@ from typing import Any
 from autograder.course import load_course
 from autograder.errors import AutograderError
 from autograder.exchange import wire
+from autograder.exchange.identity import VARIANTS
 from autograder.marking.marker import Marker
 
 
@@ -24,7 +26,8 @@ def main() -> None:
     requests, replies = sys.stdin.buffer, os.fdopen(os.dup(1), "wb")
     # A reference that prints must not disturb the channel.
     os.dup2(2, 1)
-    marker = Marker(load_course(), seed=secrets.randbits(32))
+    variants = json.loads(os.environ.get(VARIANTS, "{}"))
+    marker = Marker(load_course().with_variants(variants), seed=secrets.randbits(32))
 
     while True:
         try:

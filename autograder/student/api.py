@@ -1,4 +1,4 @@
-"""``ask``, ``check``, ``progress`` and ``submit``."""
+"""``ask``, ``check``, ``me``, ``progress`` and ``submit``."""
 
 from __future__ import annotations
 
@@ -7,13 +7,14 @@ from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
-from autograder.course import load_course
+from autograder.course import Course, load_course
 from autograder.errors import AutograderError, UsageError
 from autograder.kinds.registry import kind_of
 from autograder.student import unsaved
 from autograder.student.course_path import course_of_notebook, put_course_first
 from autograder.student.desk import Desk
 from autograder.student.frontend import widgets_wanted
+from autograder.student.identity import become, student_of
 from autograder.student.live import Live
 from autograder.student.marker_client import marker_for
 from autograder.student.responses import answered, responses_folder
@@ -27,12 +28,18 @@ unsaved.watch()
 
 
 @lru_cache(maxsize=1)
-def _desk_at(root: Path) -> Desk:
-    return Desk(load_course(root))
+def _course_at(root: Path) -> Course:
+    return load_course(root)
+
+
+@lru_cache(maxsize=1)
+def _desk_at(root: Path, student: str) -> Desk:
+    return Desk(_course_at(root).for_student(student))
 
 
 def _desk() -> Desk:
-    desk = _desk_at(course_of_notebook())
+    course = _course_at(course_of_notebook())
+    desk = _desk_at(course.root, student_of(course) if course.personal else "")
     for sentence in desk.mend():
         print(sentence)
     return desk
@@ -66,6 +73,11 @@ def check(id: str, response: Any = MISSING) -> Any:
     marked.
     """
     return _try(lambda: _check(id, response))
+
+
+def me(name: Any) -> Any:
+    """Say who you are, by the name or number of the class list; your numbers follow from it."""
+    return _try(lambda: print(become(_course_at(course_of_notebook()), name)))
 
 
 def progress() -> Any:

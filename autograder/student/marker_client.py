@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import subprocess
 import sys
@@ -11,6 +12,7 @@ from typing import Any
 from autograder.course import Course, load_course
 from autograder.errors import AutograderError, CourseError
 from autograder.exchange import wire
+from autograder.exchange.identity import VARIANTS
 from autograder.kinds.mark import Mark
 from autograder.marking.snapshots import SNAPSHOTS, SnapshotMarker
 
@@ -38,7 +40,8 @@ def bundle_marker(course: Course) -> BundleMarker | None:
         return None
     if _bundle is None or _bundle.course is not course:
         practice = course.root / "practice"
-        _bundle = BundleMarker(course, load_course(practice) if practice.is_dir() else None)
+        key = load_course(practice).with_variants(course.variants) if practice.is_dir() else None
+        _bundle = BundleMarker(course, key)
     return _bundle
 
 
@@ -80,7 +83,11 @@ class MarkerClient:
     def __init__(self, course: Course) -> None:
         self.course = course
         self._lock = threading.Lock()
-        environment = {**os.environ, "AUTOGRADER_COURSE": str(course.root)}
+        environment = {
+            **os.environ,
+            "AUTOGRADER_COURSE": str(course.root),
+            VARIANTS: json.dumps(dict(course.variants)),
+        }
         self._process = subprocess.Popen(
             [sys.executable, "-m", "autograder.marking.marker_process"],
             stdin=subprocess.PIPE,

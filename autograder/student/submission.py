@@ -10,6 +10,7 @@ from pathlib import Path
 
 from autograder.course import Course
 from autograder.errors import AutograderError
+from autograder.exchange.identity import FILE
 from autograder.intake.notebook_reader import SUBMITTED, Unreadable, read_notebook
 
 
@@ -35,7 +36,7 @@ def pack_submission(course: Course, responses: Path) -> Packed:
         )
     files = {path.name: path for path in notebooks} | {
         f"responses/{name}.json": responses / f"{name}.json"
-        for name in sorted(chapter.name for chapter in course.chapters)
+        for name in sorted({*(chapter.name for chapter in course.chapters), FILE})
         if (responses / f"{name}.json").exists()
     }
     target = (responses if os.environ.get("AUTOGRADER_RESPONSES") else folder) / "submission.zip"

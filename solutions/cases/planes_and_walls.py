@@ -99,8 +99,10 @@ def find_walls_cases(rng: np.random.Generator) -> list[Case]:
     ]
     wall = _exact_wall(rng)
     threshold = cases[0]["args"][1]
-    # Too far from each other, and from the wall's line, to agree with anything else.
-    pair = np.mean(wall, axis=0) + 3 * np.array([[1.0, 0.0], [0.0, 1.0]])
+    along = (wall[1] - wall[0]) / np.linalg.norm(wall[1] - wall[0])
+    across = np.array([-along[1], along[0]])
+    # Beside the wall, and at any threshold here too far from each other to agree with anything.
+    pair = np.mean(wall, axis=0) + np.array([3 * across + along, 5 * across - along])
     spot = np.tile(rng.uniform(-1.0, 1.0, 2), (9, 1))
     cases += [
         {
@@ -117,6 +119,7 @@ def find_walls_cases(rng: np.random.Generator) -> list[Case]:
         {
             "name": "the rest in one spot",
             "args": [np.vstack([wall, spot]), threshold, 60, len(spot), seed_of(rng)],
+            "draws": (60, math.inf),
             "may_raise": "ValueError",
         },
         {

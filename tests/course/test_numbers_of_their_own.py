@@ -78,7 +78,7 @@ def market(tmp_path) -> TinyCourse:
 def test_variant_0_has_the_sheets_numbers(market):
     course = market.load()
     question = course.question("Q7")
-    assert question.prompt.startswith("3 boxes of 4 eggs at ${0.5}$ each")
+    assert question.prompt.startswith("3 boxes of 4 eggs at $0.5$ each")
     assert question.prompt.endswith(r"$\frac{1}{2}$, $x_{3}$")
     assert question.title == "Eggs at 0.5 each"
     assert question.hints == ("A box costs 2.00.",)

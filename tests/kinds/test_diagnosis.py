@@ -70,7 +70,7 @@ def test_a_list_of_roots_is_right_only_if_each_is(tiny_course):
     [
         (-2 * (A + B), "sign turned"),
         (7 * (A + B), "a constant factor"),
-        (2 * (A - B), "sign turned"),
+        (2 * (A - B), "the sign of a term"),
     ],
 )
 def test_a_wrong_expression_is_named_by_its_relation(tiny_course, response, name):

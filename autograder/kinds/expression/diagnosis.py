@@ -2,20 +2,30 @@
 
 from __future__ import annotations
 
+import ast
 import time
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from autograder.errors import CourseError
-from autograder.kinds.expression.answer import ExpressionAnswer
+from autograder.kinds.drawn import NOTHING_AROUND, Around
+from autograder.kinds.expression.answer import ExpressionAlternative, ExpressionAnswer
 from autograder.kinds.expression.marking import Points, same_values
 from autograder.kinds.expression.question import Expression
+from autograder.kinds.expression.slopes import slopes
+from autograder.kinds.expression.wholes import terms, wholes
 from autograder.kinds.formula import evaluate_formula
 from autograder.marking.diagnosis.relations import RELATIONS, Diagnosis
 from autograder.marking.mutants.formula_edits import edited_formulas
 
 MOST_SECONDS = 0.1  # of a processor, for one response
+_MOST_TERMS = 8  # that a fit may have, of 24 points
+_FACTORS = {2.0: "doubled", 0.5: "halved", -1.0: "turned", 0.0: "missing", -2.0: "turned"}
+
+Values = NDArray[np.complex128]
 
 _WORDS = {
     "sign turned": "the sign of one term is turned round",
@@ -32,46 +42,166 @@ _WORDS = {
 
 
 def diagnose_expression(
-    question: Expression, answer: ExpressionAnswer, points: Points, values: NDArray[np.complex128]
+    question: Expression,
+    answer: ExpressionAnswer,
+    points: Points,
+    values: Values,
+    around: Around = NOTHING_AROUND,
 ) -> Diagnosis | None:
-    """The simplest relation to a right formula, or the mutant of it, with these values."""
-    end = time.process_time() + MOST_SECONDS
-    count = len(next(iter(points.values())))
-    right = [entry for entry in answer.alternatives if not entry.is_mistake]
-    for entry in right:
-        period = float(evaluate_formula(entry.modulo, {})) if entry.modulo else None
-        expected = np.broadcast_to(evaluate_formula(entry.expression, points), (count,))
-        for relation in RELATIONS:
-            with np.errstate(all="ignore"):
-                changed = relation.change(np.asarray(expected, dtype=float))
-            if same_values(changed, values, period) and not same_values(
-                expected, changed.astype(complex), period
-            ):
-                return Diagnosis(relation.name, relation.sentence)
-        with np.errstate(all="ignore"):
-            ratios = values[np.abs(expected) > 1e-6] / expected[np.abs(expected) > 1e-6]
-        if period is None and _is_constant(ratios, count // 2):
-            return Diagnosis(
-                "a constant factor",
-                "It looks as if only a constant factor is wrong: the form is right.",
-            )
-        symbols = list(question.symbols)
-        for mutant, text in edited_formulas(entry.expression, symbols):
-            if time.process_time() > end:
+    """The simplest way from a right formula to one with these values."""
+    end = time.thread_time() + MOST_SECONDS
+    for entry in answer.alternatives:
+        if entry.is_mistake:
+            continue
+        for diagnosis in _diagnoses(question, entry, points, values, around):
+            if diagnosis is not None:
+                return diagnosis
+            if time.thread_time() > end:
                 return None
-            try:
-                changed = np.broadcast_to(evaluate_formula(text, points), (count,))
-            except CourseError:
-                continue
-            if same_values(changed, values, period):
-                words = _WORDS.get(mutant.operator, f"{mutant.operator} somewhere in it")
-                return Diagnosis(mutant.operator, f"It looks as if {words}.")
     return None
 
 
-def _is_constant(ratios: NDArray[np.complex128], fewest: int) -> bool:
-    if len(ratios) <= fewest or not np.all(np.isfinite(ratios)) or abs(ratios[0]) < 1e-6:
+def _diagnoses(
+    question: Expression,
+    entry: ExpressionAlternative,
+    points: Points,
+    values: Values,
+    around: Around,
+) -> Iterator[Diagnosis | None]:
+    """One after the other of what may have gone wrong, None where it does not fit."""
+    count = len(next(iter(points.values())))
+    period = float(evaluate_formula(entry.modulo, {})) if entry.modulo else None
+    expected = np.broadcast_to(evaluate_formula(entry.expression, points), (count,)).astype(float)
+
+    def fits(wrong: NDArray[Any] | None) -> bool:
+        if wrong is None or same_values(expected, wrong.astype(complex), period):
+            return False
+        return same_values(wrong, values, period)
+
+    def of(text: str, at: Mapping[str, NDArray[np.float64]] = points) -> NDArray[Any] | None:
+        try:
+            return np.broadcast_to(evaluate_formula(text, at), (count,))
+        except CourseError:  # it has a symbol that is not drawn here
+            return None
+
+    def told(found: bool, name: str, words: str, evidence: str = "") -> Diagnosis | None:
+        return Diagnosis(name, f"It looks as if {words}.", evidence) if found else None
+
+    for relation in RELATIONS:
+        with np.errstate(all="ignore"):
+            found = fits(relation.change(expected))
+        yield Diagnosis(relation.name, relation.sentence) if found else None
+    for symbol in question.symbols:
+        with np.errstate(all="ignore"):
+            changed = {
+                "multiplied": expected * points[symbol],
+                "divided": expected / points[symbol],
+            }
+            for how, wrong in changed.items():
+                words = f"it was {how} by {symbol} once more than asked for"
+                yield told(period is None and fits(wrong), f"{how} by {symbol}", words)
+    for other, key in around.neighbours:
+        for theirs in key.alternatives:
+            text = getattr(theirs, "expression", None)
+            if text is not None and not theirs.is_mistake:
+                words = f"this is the answer to {other.id}, {other.title!r}; what is different here"
+                yield told(fits(of(text)), "another question's answer", words)
+    if period is None and (factor := _constant(values, expected)) is not None:
+        words = "only a constant factor is wrong: the form is right"
+        yield told(True, "a constant factor", words, f"factor {factor:.6g}")
+    elif period is not None:
+        for factor in (3.0, 4.0, 0.25):
+            words = "a constant factor is wrong: look at where you double or halve"
+            yield told(fits(expected * factor), "a constant factor", words, f"factor {factor:g}")
+    whole = list(wholes(entry.expression, list(question.symbols)))
+    for name, words, text in whole:
+        yield told(fits(of(text)), name, words, text)
+    if period is None:
+        yield _by_terms(question, terms(entry.expression), of, values)
+        for name, words, wrong in slopes(of, entry.expression, list(question.symbols), points):
+            yield told(fits(wrong) or _nearly(wrong, values), name, words)
+    for mutant, text in edited_formulas(entry.expression, list(question.symbols)):
+        words = _WORDS.get(mutant.operator, f"{mutant.operator} somewhere in it")
+        yield told(fits(of(text)), mutant.operator, words, mutant.name)
+    for name, words, text in whole:
+        off = of(text)
+        if off is None or period is not None:
+            continue
+        if _constant(values, off) is not None:
+            words = f"there are two things: {words}; and a constant factor or the sign is wrong"
+            yield told(True, f"{name}, and a constant factor", words, text)
+
+
+def _by_terms(
+    question: Expression, parts: Sequence[str], of: Any, values: Values
+) -> Diagnosis | None:
+    """Which of the right formula's terms have another factor, by a linear fit."""
+    columns = [of(part) for part in parts]
+    if not 2 <= len(parts) <= _MOST_TERMS or any(column is None for column in columns):
+        return None
+    matrix = np.column_stack(columns)
+    half = len(values) // 2
+    if not (np.isfinite(matrix).all() and np.isfinite(values).all()):
+        return None
+    if np.abs(values.imag).max() > 1e-9 or np.linalg.matrix_rank(matrix[:half]) < len(parts):
+        return None
+    factors: NDArray[np.float64] = np.linalg.lstsq(matrix, values.real, rcond=None)[0]
+    size = np.maximum(np.abs(values.real), 1e-3)
+    if np.any(np.abs(matrix @ factors - values.real) > 1e-7 * size):
+        return None
+    factors = np.round(factors, 6)
+    wrong = [i for i, factor in enumerate(factors) if factor != 1]
+    evidence = "; ".join(f"{factors[i]:g} times the term {parts[i]}" for i in wrong)
+    if not wrong or len(wrong) == len(parts):
+        return None
+    if len(wrong) > 1:
+        return Diagnosis(
+            "several terms",
+            f"It looks as if {len(wrong)} of the {len(parts)} terms have a wrong factor or sign, "
+            "and the others are right.",
+            evidence,
+        )
+    (place,) = wrong
+    how = _FACTORS.get(float(factors[place]), "")
+    which = _which(question, parts, place)
+    name, words = {
+        "missing": ("a term missing", f"{which} is missing"),
+        "doubled": ("a term doubled", f"{which} is counted twice"),
+        "halved": ("a term halved", f"{which} is there with half its factor only"),
+        "turned": ("the sign of a term", f"{which} has the wrong sign"),
+    }.get(how, ("the factor of a term", f"{which} has a wrong factor"))
+    return Diagnosis(name, f"It looks as if {words}; the others are right.", evidence)
+
+
+def _which(question: Expression, parts: Sequence[str], place: int) -> str:
+    """A term by the symbols that only it has, without what else it is made of."""
+    own = [s for s in question.symbols if s in _names(parts[place])]
+    others = [_names(part) for i, part in enumerate(parts) if i != place]
+    telling = [s for s in own if not any(s in names for names in others)]
+    return f"the term with {' and '.join(telling)}" if telling else "one term"
+
+
+def _names(text: str) -> set[str]:
+    return {node.id for node in ast.walk(ast.parse(text)) if isinstance(node, ast.Name)}
+
+
+def _constant(values: Values, expected: NDArray[Any]) -> float | None:
+    """The factor by which all values differ, if it is one that somebody meant."""
+    telling = np.abs(expected) > 1e-6
+    if telling.sum() <= len(expected) // 2:
+        return None
+    with np.errstate(all="ignore"):
+        ratios = values[telling] / expected[telling]
+    if not np.all(np.isfinite(ratios)) or abs(ratios[0]) < 1e-6 or abs(ratios[0] - 1) < 1e-2:
+        return None
+    if np.max(np.abs(ratios - ratios[0])) > 1e-7 * abs(ratios[0]) or abs(ratios[0].imag) > 1e-9:
+        return None
+    return float(ratios[0].real)
+
+
+def _nearly(wrong: NDArray[Any], values: Values) -> bool:
+    """Whether values are others that were found by small steps, and so are less exact."""
+    if not np.isfinite(wrong).all() or np.ptp(wrong) < 1e-6:
         return False
-    if abs(ratios[0] - 1) < 1e-2:  # no factor that somebody meant
-        return False
-    return bool(np.max(np.abs(ratios - ratios[0])) <= 1e-7 * abs(ratios[0]))
+    scale = np.maximum(np.abs(wrong), 1e-2 * np.abs(wrong).max())
+    return bool(np.all(np.abs(values - wrong) <= 1e-5 * scale))

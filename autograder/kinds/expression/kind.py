@@ -83,7 +83,8 @@ class ExpressionKind(CodeKind[Expression, ExpressionAnswer]):
         response: dict[str, Any],
         understood: str,
     ) -> Mark | None:
-        return mark_expression(question, answer, drawn.expected, response.get("values"))
+        points, values = drawn.expected, response.get("values")
+        return mark_expression(question, answer, points, values, drawn.around)
 
     def why_unusable(self, question: Expression, reason: str) -> str:
         why = super().why_unusable(question, reason)

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from autograder.kinds.drawn import NOTHING_AROUND, Around
 from autograder.kinds.expression.answer import ExpressionAlternative, ExpressionAnswer
 from autograder.kinds.expression.question import Expression
 from autograder.kinds.formula import evaluate_formula
@@ -34,7 +35,11 @@ def hidden_points(answer: ExpressionAnswer, rng: np.random.Generator) -> Points:
 
 
 def mark_expression(
-    question: Expression, answer: ExpressionAnswer, points: Points, values: Any
+    question: Expression,
+    answer: ExpressionAnswer,
+    points: Points,
+    values: Any,
+    around: Around = NOTHING_AROUND,
 ) -> Mark:
     """The first alternative with the same values decides.
 
@@ -45,7 +50,7 @@ def mark_expression(
     process and are not trusted.
     """
     if isinstance(values, np.ndarray) and values.ndim == 2 and len(values) > 0:
-        marks = [mark_expression(question, answer, points, row) for row in values]
+        marks = [mark_expression(question, answer, points, row, around) for row in values]
         return min(marks, key=lambda mark: mark.credit)
     count = len(next(iter(points.values())))
     known: dict[str, Any] = {"explanation": answer.explanation}
@@ -78,7 +83,7 @@ def mark_expression(
             )
     from autograder.kinds.expression.diagnosis import diagnose_expression
 
-    found = diagnose_expression(question, answer, points, values)
+    found = diagnose_expression(question, answer, points, values.astype(complex), around)
     if found is not None:
         return Mark(question.id, "wrong", 0.0, question.points, found.sentence, found.name, **known)
     return Mark(

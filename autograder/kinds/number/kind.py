@@ -52,9 +52,9 @@ class NumberKind(CodeKind[Number, NumberAnswer]):
         understood: str,
     ) -> Mark | None:
         value = response.get("value")
-        return (
-            mark_number(question, answer, value, understood) if _is_finite_number(value) else None
-        )
+        if not _is_finite_number(value):
+            return None
+        return mark_number(question, answer, value, understood, drawn.around)
 
     def widget(self, desk: Any, question: Number, *checked: Any) -> Any:
         from autograder.kinds.number.widget import NumberWidget

@@ -5,6 +5,7 @@ from __future__ import annotations
 from decimal import Decimal
 from typing import Any
 
+from autograder.kinds.drawn import NOTHING_AROUND, Around
 from autograder.kinds.mark import Mark, status_for
 from autograder.kinds.number.answer import NumberAlternative, NumberAnswer
 from autograder.kinds.number.diagnosis import diagnose_number
@@ -12,7 +13,11 @@ from autograder.kinds.number.question import Number
 
 
 def mark_number(
-    question: Number, answer: NumberAnswer, value: int | float, understood: str = ""
+    question: Number,
+    answer: NumberAnswer,
+    value: int | float,
+    understood: str = "",
+    around: Around = NOTHING_AROUND,
 ) -> Mark:
     """The first alternative within its tolerance decides.
 
@@ -43,7 +48,7 @@ def mark_number(
             "That is not the value asked for. A hint may help: look at what each symbol counts."
         )
     name = None
-    if (found := diagnose_number(question, answer, value)) is not None:
+    if (found := diagnose_number(question, answer, value, around)) is not None:
         name, feedback = found.name, found.sentence
     known["understood"] = known["understood"] or understood
     return Mark(question.id, "wrong", 0.0, question.points, feedback, name, **known)

@@ -12,6 +12,7 @@ from typing import Any
 
 from autograder.kinds.mark import Mark, Part, not_attempted, status_for, stopped
 from autograder.kinds.order.answer import OrderAnswer
+from autograder.kinds.order.diagnosis import diagnose_order
 from autograder.kinds.order.question import Order
 from autograder.kinds.order.response import fits
 
@@ -35,7 +36,7 @@ def mark_order(question: Order, answer: OrderAnswer, response: Any) -> Mark:
     astray = cards_to_move(order, after)
     moves = len(astray)
     credit = max(0.0, 1 - 2 * moves / len(order))
-    mistake = None
+    mistake = diagnosed = None
     if moves == 0:
         feedback = "Every step comes after the steps it needs."
     else:
@@ -47,10 +48,20 @@ def mark_order(question: Order, answer: OrderAnswer, response: Any) -> Mark:
             ),
             None,
         )
+        exchanged = _exchanges(order, answer.interchangeable)
+        all_found = (
+            diagnose_order(cards, answer.order, after, question.texts) for cards in exchanged
+        )
+        found = next(filter(None, all_found), None)
+        # What the author says about two cards explains no more than that one of them is astray.
+        if mistake is None or (moves > 1 and found is not None):
+            diagnosed = found
         feedback = f"{moves} card{'s' if moves > 1 else ''} would have to move."
+        feedback += f" {diagnosed.sentence}" if diagnosed else ""
         feedback += (
             f" {mistake.feedback}" if mistake else " " + _first_conflict(question, order, after)
         )
+    named = diagnosed or mistake
     texts = question.texts
     explanation = "\n".join(f"{n}. {texts[card]}" for n, card in enumerate(answer.order, 1))
     if answer.explanation:
@@ -61,7 +72,7 @@ def mark_order(question: Order, answer: OrderAnswer, response: Any) -> Mark:
         credit,
         question.points,
         feedback,
-        alternative="right" if moves == 0 else mistake.name if mistake else None,
+        alternative="right" if moves == 0 else named.name if named else None,
         parts=tuple(
             Part(f"Card {n}", False, "", _where(card, answer, texts))
             if card in astray

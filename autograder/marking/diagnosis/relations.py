@@ -19,13 +19,27 @@ class Relation:
     sentence: str
     change: Callable[[Numbers], Numbers]
 
+    def and_then(self, other: Relation) -> Diagnosis:
+        """The name of two relations, one after the other."""
+        second = other.sentence.removeprefix("It looks as if ")
+        return Diagnosis(
+            f"{self.name}, then {other.name}",
+            f"It looks as if there are two things: {self.sentence[len('It looks as if ') : -1]}; "
+            f"and {second}",
+        )
+
 
 @dataclass(frozen=True)
 class Diagnosis:
-    """The name of what went wrong, and a sentence on it for the student."""
+    """The name of what went wrong, and a sentence on it for the student.
+
+    ``evidence`` says to the instructor what it was found by. It may quote the key, so it stays with
+    those who have the key.
+    """
 
     name: str
     sentence: str
+    evidence: str = ""
 
 
 # Of each: the name, what the sentence says after "It looks as if", and the change.

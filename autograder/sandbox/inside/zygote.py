@@ -104,12 +104,13 @@ class Zygote:
         _bring_font_list(self._work)
         os.chdir(self._work / "notebooks")
         self._notebook = warm(with_course=True)
+        os.environ.pop("LD_LIBRARY_PATH", None)  # set by OpenCV, and names its folder
         gc.freeze()  # the collector would write into every page and so copy it in each fork
         self._filter = (
             seccomp.build_filter(
                 refuse_thread_signals=not landlock.confines_signals(),
                 # Files outside can be named here, and Landlock governs neither.
-                refuse_modes_and_times=not how.alone,
+                keep_modes_and_times=not how.alone,
             )
             if how.use_seccomp
             else None

@@ -1,0 +1,43 @@
+"""What stands around a question in its chapter: for finding out what was mixed up with what."""
+
+from __future__ import annotations
+
+import ast
+import json
+
+from autograder.course import Course
+from autograder.course.questions import Question
+from autograder.kinds.drawn import Around
+
+
+def around(course: Course, question: Question) -> Around:
+    """The other questions of the same kind in a question's chapter, and the numbers given there."""
+    chapter = next((c for c in course.chapters if c.name == question.chapter), None)
+    others = [] if chapter is None else [q for q in chapter.questions if q.id != question.id]
+    return Around(
+        tuple((other, course.key[other.id]) for other in others if other.kind == question.kind),
+        {**_numbers(course, question.chapter), **(course.numbers(question.id) or {})},
+    )
+
+
+def _numbers(course: Course, chapter: str) -> dict[str, float]:
+    """What a chapter's notebook assigns as a plain number to a name; the first one counts."""
+    found: dict[str, float] = {}
+    for path in sorted((course.root / "notebooks").glob("*.ipynb")):
+        if path.stem != chapter and not path.stem.endswith(f"_{chapter}"):
+            continue
+        for cell in json.loads(path.read_text(encoding="utf-8"))["cells"]:
+            if cell["cell_type"] != "code":
+                continue
+            try:
+                tree = ast.parse("".join(cell["source"]))
+            except SyntaxError:  # a cell of the notebook's own commands, such as %pip
+                continue
+            for statement in tree.body:
+                match statement:
+                    case ast.Assign(
+                        targets=[ast.Name(id=name)],
+                        value=ast.Constant(value=int() | float() as value),
+                    ) if not isinstance(value, bool):
+                        found.setdefault(name, value)
+    return found

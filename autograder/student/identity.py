@@ -1,0 +1,40 @@
+"""Who the student is: said once, kept with the responses, and the reason for their numbers."""
+
+from __future__ import annotations
+
+from autograder.course import Course
+from autograder.errors import UsageError
+from autograder.exchange.identity import FILE, clean, said_to_be
+from autograder.kinds.variables import canonical
+from autograder.student.responses import Responses, responses_folder
+
+
+def student_of(course: Course) -> str:
+    """The name or number that was given before; empty if none."""
+    return said_to_be({FILE: _file(course).all()})
+
+
+def become(course: Course, name: object) -> str:
+    """Keep who the student is; returns what to tell them.
+
+    Raises:
+        UsageError: if it is not a name.
+        ResponsesError: if it cannot be saved.
+    """
+    if not isinstance(name, str | int) or isinstance(name, bool) or not clean(str(name)):
+        raise UsageError('Say who you are as your class list does, such as me("Ada Lovelace").')
+    new, before = clean(str(name)), student_of(course)
+    _file(course).update(FILE, lambda entry: {**entry, "response": new})
+    if not course.personal:
+        return f"You are {new}. Everybody has the same numbers in this course."
+    if before and canonical(before) != canonical(new):
+        return (
+            f"You are {new} from now on, not {before}: your questions have other numbers. What you "
+            f"answered before belongs to {before}'s numbers; answer it again, or go back with "
+            f"me({before!r})."
+        )
+    return f"You are {new}. The numbers in your questions are yours: run the cells below again."
+
+
+def _file(course: Course) -> Responses:
+    return Responses(responses_folder(course.root), FILE)

@@ -1,0 +1,98 @@
+"""A class whose students have numbers of their own, from the notebook to the gradebook."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+from tiny_course import make_tiny_course
+
+from autograder.cli import main
+from autograder.course import Course
+from autograder.exchange.identity import FILE
+from autograder.gradebook.book import Gradebook
+
+QUESTION = """
+[story.market]
+boxes = [3, 5, 7, 11, 13, 17]
+eggs = [4, 6, 9, 10, 12]
+
+[[question]]
+id = "Q7"
+kind = "number"
+title = "Eggs"
+points = 4
+story = "market"
+variable = "bought"
+integer = true
+prompt = "{boxes} boxes of {eggs} eggs: how many?"
+hints = ["Multiply."]
+"""
+ANSWER = """
+["Q7"]
+code = "boxes * eggs"
+alternative = [
+    {name = "right", credit = 1, value = "boxes*eggs"},
+    {name = "added", credit = 0.25, value = "boxes + eggs", feedback = "{boxes} + {eggs} adds."},
+]
+"""
+NAMES = ["Ada Lovelace", "George Boole", "Johannes Kepler", "Emmy Noether", "Rosa Parks"]
+
+
+@pytest.fixture(scope="module")
+def market(tmp_path_factory) -> Course:
+    course = make_tiny_course(tmp_path_factory.mktemp("market") / "course")
+    course.append("notebooks/questions/kitchen.toml", QUESTION)
+    course.append("solutions/answers/kitchen.toml", ANSWER)
+    setting = '[tool.autograder]\nvariants = "student"\nothers_numbers = "nothing"'
+    course.replace("pyproject.toml", "[tool.autograder]", setting)
+    return course.load()
+
+
+def hand_in(folder: Path, name: str, says: str, bought: int) -> None:
+    """A folder as ``submit()`` packs it: a notebook, and who it says it is from."""
+    code = {"cell_type": "code", "id": "c1", "metadata": {}, "outputs": [], "execution_count": None}
+    cell = {**code, "source": f"bought = {bought}"}
+    notebook = {"cells": [cell], "metadata": {}, "nbformat": 4, "nbformat_minor": 5}
+    (folder / name / "responses").mkdir(parents=True)
+    (folder / name / "1_kitchen.ipynb").write_text(json.dumps(notebook))
+    if says:
+        entry = {"responses": {FILE: {"response": says}}}
+        (folder / name / "responses" / f"{FILE}.json").write_text(json.dumps(entry))
+
+
+def test_everybody_is_marked_by_their_own_numbers(market: Course, tmp_path: Path, capsys):
+    numbers = {name: market.for_student(name).numbers("Q7") for name in NAMES}
+    right = {name: n["boxes"] * n["eggs"] for name, n in numbers.items()}
+    ada, _, kepler, noether, _ = NAMES
+    assert len(set(right.values())) > 1
+    neighbour = next(name for name in NAMES if right[name] != right[kepler])
+    work = tmp_path / "class"
+    hand_in(work, "ada", "  ada LOVELACE", right[ada])
+    hand_in(work, "boole", ada, right[ada])  # the folder of somebody else
+    hand_in(work, "kepler", "kepler", market.for_student("kepler").numbers("Q7")["boxes"] * 1000)
+    hand_in(work, "noether", noether, sum(numbers[noether].values()))
+    hand_in(work, "parks", "", 12)  # the sheet's numbers
+    others = {n["boxes"] * n["eggs"] for n in numbers.values()} - {right[neighbour]}
+    hand_in(work, "copies", neighbour, max(others))
+    people = "".join(f"{name},{name.split()[-1].lower()}\n" for name in NAMES)
+    (tmp_path / "list.csv").write_text("Name,Login\n" + people.replace("lovelace", "ada"))
+    out = tmp_path / "grades"
+    command = ["--course", str(market.root), "grade", str(work), "--out", str(out), "--question"]
+    assert main([*command, "Q7", "--class-list", str(tmp_path / "list.csv")]) == 0
+    with Gradebook(out / "gradebook.db") as book:
+        records = {record.student: record for record in book.records()}
+    marks = {name: record.graded.marks[0] for name, record in records.items()}
+    notes = {name: " ".join(record.graded.notes) for name, record in records.items()}
+    assert marks["ada"].status == "right"
+    assert "numbers" not in notes["ada"]
+    assert (marks["boole"].status, marks["boole"].credit) == ("wrong", 0)
+    assert f"numbers of '{ada}', not with their own" in notes["boole"]
+    assert "numbers" not in notes["kepler"]  # the login is a name too
+    assert (marks["noether"].alternative, marks["noether"].credit) == ("added", 0.25)
+    boxes, eggs = numbers[noether].values()
+    assert marks["noether"].feedback == f"{boxes} + {eggs} adds."
+    assert marks["parks"].status == "right"
+    assert "numbers of the sheet" in notes["parks"]
+    assert marks["copies"].alternative == "right for other numbers"
