@@ -83,7 +83,7 @@ class Contents:
     fingerprint: str = ""
 
 
-def find_submissions(paths: Collection[Path], settings: Settings) -> list[Submission]:
+def find_submissions(paths: Collection[Path], settings: Settings) -> Sequence[Submission]:
     """The submissions at the given paths; `autograder.intake.find.take_in` says more about them.
 
     Raises:

@@ -96,17 +96,18 @@ def _print_lines(console: Console, course: Course, records: Sequence[Record]) ->
     _line(console, LEGEND)
 
 
-def print_changes(
-    console: Console, before: Mapping[str, Record], changes: Sequence[Change]
-) -> None:
-    """A line a student whose marks changed: the totals, and every mark before and after."""
+def print_changes(console: Console, earned: Mapping[str, float], changes: Sequence[Change]) -> None:
+    """A line a student whose marks changed: the totals, and every mark before and after.
+
+    ``earned`` are the points before; ``changes`` are in the order of students.
+    """
     count = 0
     for student, entries in groupby(changes, key=lambda change: change.student):
         count += 1
         of_student = list(entries)
-        earned = before[student].earned
+        before = earned[student]
         gained = sum(change.points for change in of_student)
-        _line(console, f"{student}: {earned:g} → {round(earned + gained, 2):g} points")
+        _line(console, f"{student}: {before:g} → {round(before + gained, 2):g} points")
         for change in of_student:
             kept = "; the override stays" if change.overridden else ""
             _line(
@@ -159,6 +160,7 @@ def print_record(
             continue
         override = record.overrides.get(question.id)
         said = f"{mark.alternative}: {mark.feedback}" if mark.alternative else mark.feedback
+        said += f" (evidence: {mark.evidence})" if mark.alternative and mark.evidence else ""
         if override is not None:
             levels = "".join(f"{name}: {level}; " for name, level in override.levels.items())
             by_hand = f"given by hand ({levels}{override.reason})"

@@ -6,13 +6,17 @@ longer holds, or words that were changed, fail alike.
 
 import math
 import re
+from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
+from typing import Any
 
+import msgspec
 import numpy as np
 import pytest
 
 import data
+from autograder.course import load_course
 from notebooks.figures.consensus import few_points
 from solutions.lines.line_fitting import distances, fit_line, line_covariance
 from solutions.ransac import exact_probabilities as exact
@@ -25,15 +29,28 @@ from solutions.ransac.probabilities import (
 )
 
 MASTERS = {path.stem: path for path in Path("notebooks/source").glob("*.py")}
-KEYS = {path.stem: path for path in Path("solutions/answers").glob("*.toml")}
-QUESTIONS = {f"asked {path.stem}": path for path in Path("notebooks/questions").glob("*.toml")}
+COURSE = load_course()  # formulas in its texts are filled in
 
 
 @cache
 def words_of(place: str) -> str:
-    """The text of a master, a key or a file of questions, in one line."""
-    text = ({**MASTERS, **KEYS, **QUESTIONS})[place].read_text(encoding="utf-8")
-    return " ".join(re.sub(r"^# ?", "", text, flags=re.M).split())
+    """The text of a master, of a chapter's key or, as "asked CHAPTER", of its questions."""
+    if place in MASTERS:
+        text = re.sub(r"^# ?", "", MASTERS[place].read_text(encoding="utf-8"), flags=re.M)
+    else:
+        asked, chapter = place.startswith("asked "), place.removeprefix("asked ")
+        ids = [id for id, question in COURSE.questions.items() if question.chapter == chapter]
+        found = [COURSE.question(id) if asked else COURSE.key[id] for id in ids]
+        text = " ".join(_texts(msgspec.to_builtins(found)))
+    return " ".join(text.split())
+
+
+def _texts(value: Any) -> Iterator[str]:
+    if isinstance(value, str):
+        yield value
+    elif isinstance(value, dict | list | tuple):
+        for entry in value.values() if isinstance(value, dict) else value:
+            yield from _texts(entry)
 
 
 def wall() -> np.ndarray:
@@ -192,7 +209,7 @@ def test_the_count_without_replacement_is_74_for_lines_and_378_for_planes():
     assert exact.required_iterations(P, N, 200, 2) == required_iterations(P, W, 2) == 74
     assert exact.required_iterations(P, N, 200, 3) == 378
     assert PLANES == 373
-    says("ransac", "value = 378")
+    assert 378 in [entry.value for entry in COURSE.key["Q3.2.5"].alternatives if entry.credit == 1]
 
 
 def test_the_refit_repairs_about_four_of_five_runs():
