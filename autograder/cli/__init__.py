@@ -27,6 +27,7 @@ from autograder.cli import (
     intake,
     mark,
     merge,
+    mistakes,
     new,
     note,
     override,
@@ -45,7 +46,7 @@ __all__ = ["BROKEN", "DONE", "INTERRUPTED", "WRONG_USAGE", "main"]
 
 _COMMANDS = (
     *(intake, grade, regrade, show, override, note),
-    *(mark, merge, adjust, export, feedback, similar, release),
+    *(mark, merge, adjust, export, feedback, similar, mistakes, release),
     *(new, build, check, watch, schema, doctor),
 )
 

@@ -13,6 +13,7 @@ REASONS = {
     "not evaluable": "it has no value at the points where it was tried",
     "not a function": "it is not a function",
     "not plain": "it returned something that is not a number, text, list, dictionary or array",
+    "lazy": "it returned a generator, of which nothing was computed yet; make a list of it",
     "too large": "it returned far more than any answer to this question needs",
     "missing": "nothing of that name is there",
 }

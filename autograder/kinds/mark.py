@@ -43,6 +43,8 @@ class Mark:
     is what a function returned for a public input, as JSON data, for the picture in the feedback.
     ``told`` is the exception that the student's code raised where nothing hidden had been sent yet,
     with its line, and ``code`` the cell that holds the response; both are the student's own words.
+    ``evidence`` says to the instructor by what a wrong response got its name; it may quote the key
+    and is shown to no student.
     """
 
     question: str
@@ -57,6 +59,7 @@ class Mark:
     shown: Any = None
     told: str = ""
     code: str = ""
+    evidence: str = ""
 
     def __post_init__(self) -> None:
         if self.status not in STATUSES:

@@ -11,6 +11,7 @@ from autograder.gradebook import ClassView, Record, Run
 from autograder.reports.gather import ClassFindings, gather
 from autograder.reports.markdown import inline, text
 from autograder.reports.page import page, table
+from autograder.reports.patterns import definitions
 from autograder.reports.people_html import Links, needy_html, to_do_html
 from autograder.reports.statistics import (
     FEWEST,
@@ -31,11 +32,11 @@ from autograder.reports.svg import (
 )
 
 _BANDS = (
-    (("right",), "right", BLUE),
-    (("partial",), "partly right", ORANGE),
-    (("wrong",), "wrong", RED),
-    (STOPPED, "exception, limit or unreadable", PURPLE),
-    (("not attempted", "recorded"), "not attempted", GREY),
+    (("right",), "right", BLUE, ""),
+    (("partial",), "partly right", ORANGE, "stripes"),
+    (("wrong",), "wrong", RED, "crosses"),
+    (STOPPED, "exception, limit or unreadable", PURPLE, "dots"),
+    (("not attempted", "recorded"), "not attempted", GREY, "lines"),
 )
 _MOST_MISTAKES = 20
 
@@ -119,10 +120,12 @@ def _broken(statistics: Sequence[QuestionStatistics], count: int) -> str:
 
 
 def _questions(statistics: Sequence[QuestionStatistics]) -> str:
-    key = "".join(f"<li>{swatch(colour)}{name}</li>" for _, name, colour in _BANDS)
+    key = "".join(
+        f"<li>{swatch(colour, pattern)}{name}</li>" for _, name, colour, pattern in _BANDS
+    )
     rows = []
     for entry in statistics:
-        counts = [sum(entry.statuses[s] for s in band) for band, _, _ in _BANDS]
+        counts = [sum(entry.statuses[s] for s in band) for band, _, _, _ in _BANDS]
         rows.append(
             [
                 f"{text(entry.question.id)} {inline(entry.question.title)}",
@@ -136,7 +139,8 @@ def _questions(statistics: Sequence[QuestionStatistics]) -> str:
     header = ["question", "points", "right", "partly", "wrong", "stopped", "open"]
     header += ["earned", "discrimination", "unnamed"]
     return (
-        f'<div class="pair"><figure>{_bands(statistics)}<figcaption><ul class="key">{key}</ul>'
+        f'{definitions()}<div class="pair"><figure>{_bands(statistics)}<figcaption>'
+        f'<ul class="key">{key}</ul>'
         f"</figcaption></figure><figure>{_scatter(statistics)}<figcaption>Earned: mean share of "
         "the points among those who tried. Discrimination: correlation of a student’s points here "
         "with the points for all other questions; near or below 0 is suspect."
@@ -158,10 +162,10 @@ def _bands(statistics: Sequence[QuestionStatistics]) -> str:
     for index, entry in enumerate(statistics):
         count = max(1, sum(entry.statuses.values()))
         start = 0.0
-        for band, _, colour in _BANDS:
+        for band, _, colour, pattern in _BANDS:
             share = 100 * sum(entry.statuses[status] for status in band) / count
             if share:
-                chart.box(start, index + 0.12, start + share, index + 0.88, colour)
+                chart.box(start, index + 0.12, start + share, index + 0.88, colour, pattern)
             start += share
         chart.label(58, chart.y(index + 0.5) + 4, entry.question.id, "end")
         said.append(f"{entry.question.id} {100 * entry.statuses['right'] / count:.0f} % right")

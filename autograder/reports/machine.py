@@ -29,6 +29,7 @@ def record_fields(course: Course, record: Record) -> dict[str, Any]:
                 "points": record.points(mark.question),
                 "max": mark.max_points,
                 "alternative": mark.alternative,
+                "evidence": mark.evidence,
                 "understood": mark.understood,
                 "feedback": mark.feedback,
                 "override": (

@@ -60,6 +60,11 @@ def text(value: str) -> str:
     return escape(readable(value))
 
 
+def isolated(value: str) -> str:
+    """A name that keeps its own direction of writing, whatever stands around it."""
+    return f"<bdi>{text(value)}</bdi>"
+
+
 def readable(value: str) -> str:
     """Text whose control characters, except line breaks, are shown as a replacement sign."""
     return printable(value, "�", keep="\n")

@@ -12,7 +12,7 @@ from autograder.gradebook.record import Names
 from autograder.gradebook.view import ClassView
 from autograder.reports.files import file_name
 from autograder.reports.gather import MOST_NAMED, ClassFindings, Section
-from autograder.reports.markdown import text
+from autograder.reports.markdown import isolated, text
 from autograder.reports.page import table
 from autograder.reports.statistics import Needy
 
@@ -30,7 +30,7 @@ class Links:
         """A link to a student's page, or to a question there."""
         address = f"feedback/{quote(file_name(student))}.html"
         place = f"#{quote(anchor.replace('.', '-'))}" if anchor else ""
-        shown = text(said or self._names[student])
+        shown = text(said) if said else isolated(self._names[student])
         return f'<a href="{address}{place}">{shown}</a>'
 
     def all(
@@ -127,7 +127,7 @@ def to_do_html(view: ClassView, found: ClassFindings, links: Links) -> str:
             f"{person.text()}{f', {person.section}' if person.section else ''}"
             for person in sorted(view.missing, key=lambda p: (p.section, p.name))
         ]
-        said = "; ".join(map(text, named))
+        said = "; ".join(map(isolated, named))
         parts.append(f"<p><strong>{len(named)} handed in nothing:</strong> {said}.</p>")
     if found.groups.count:
         said = "; ".join(map(links.to, found.groups.first))

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from itertools import count
 
 from autograder.reports.markdown import text
+from autograder.reports.patterns import fill_of
 
 # Okabe and Ito's colours, which colour-blind readers tell apart.
 # The page's style gives some of them another value on a dark page.
@@ -44,14 +45,17 @@ class Chart:
         inner = self.height - self.top - self.bottom
         return round(self.height - self.bottom - (value - low) / (high - low) * inner, 2)
 
-    def box(self, x0: float, y0: float, x1: float, y1: float, colour: str) -> None:
-        """A filled rectangle between two corners in data coordinates."""
+    def box(
+        self, x0: float, y0: float, x1: float, y1: float, colour: str, pattern: str = ""
+    ) -> None:
+        """A filled rectangle between two corners in data coordinates, with a pattern over it."""
         left, right = sorted((self.x(x0), self.x(x1)))
         top, bottom = sorted((self.y(y0), self.y(y1)))
-        self._parts.append(
-            f'<rect x="{left}" y="{top}" width="{max(right - left, 0):.2f}" '
-            f'height="{max(bottom - top, 0):.2f}" fill="{colour}" stroke="var(--paper)"/>'
-        )
+        for fill in (colour, fill_of(pattern)) if pattern else (colour,):
+            self._parts.append(
+                f'<rect x="{left}" y="{top}" width="{max(right - left, 0):.2f}" '
+                f'height="{max(bottom - top, 0):.2f}" fill="{fill}" stroke="var(--paper)"/>'
+            )
 
     def line(
         self, points: Iterable[tuple[float, float]], colour: str, width: float = 2, dash: str = ""
@@ -150,9 +154,10 @@ def bar(share: float, title: str, colour: str = BLUE) -> str:
     )
 
 
-def swatch(colour: str) -> str:
-    """A small square of a colour, for a key."""
+def swatch(colour: str, pattern: str = "") -> str:
+    """A small square of a colour, with a pattern over it, for a key."""
+    over = f'<rect width="12" height="12" rx="2" fill="{fill_of(pattern)}"/>' if pattern else ""
     return (
         '<svg aria-hidden="true" viewBox="0 0 12 12" width="12" height="12">'
-        f'<rect width="12" height="12" rx="2" fill="{colour}"/></svg>'
+        f'<rect width="12" height="12" rx="2" fill="{colour}"/>{over}</svg>'
     )

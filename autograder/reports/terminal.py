@@ -160,6 +160,7 @@ def print_record(
             continue
         override = record.overrides.get(question.id)
         said = f"{mark.alternative}: {mark.feedback}" if mark.alternative else mark.feedback
+        said += f" (evidence: {mark.evidence})" if mark.alternative and mark.evidence else ""
         if override is not None:
             levels = "".join(f"{name}: {level}; " for name, level in override.levels.items())
             by_hand = f"given by hand ({levels}{override.reason})"

@@ -14,14 +14,15 @@ _HERE = Path(__file__).parent
 class Explorer:
     """A widget made of one ES module, with a sentence for where no widget can be drawn.
 
-    ``module`` names a file beside this one; ``values`` are plain data that it starts from.
+    ``module`` names a file beside this one; ``values`` are plain data that it starts from, or a
+    function that computes them when a widget is drawn.
     ``still`` shows a picture with the same numbers where there is no widget.
     """
 
     def __init__(
         self,
         module: str,
-        values: dict[str, Any],
+        values: dict[str, Any] | Callable[[], dict[str, Any]],
         sentence: str,
         still: Callable[[], None] | None = None,
     ) -> None:
@@ -58,4 +59,5 @@ class Explorer:
             _css = (_HERE / "explorer.css").read_text(encoding="utf-8")
             values = traitlets.Dict().tag(sync=True)
 
-        return ExplorerWidget(values=self._values)
+        values = self._values() if callable(self._values) else self._values
+        return ExplorerWidget(values=values)

@@ -1,13 +1,15 @@
 """Pictures of features: where they are, and how SIFT and ORB compare."""
 
 import time
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from typing import Any
 
 import cv2
 import numpy as np
+from matplotlib.ticker import ScalarFormatter
 
-from notebooks.figures.style import BLUE, ORANGE, figure, photograph, quiet, show
+from notebooks.figures.style import BLUE, GREY, LIGHT, ORANGE, figure, photograph, quiet, show
+from notebooks.two_views import two_views
 
 
 def photographs(images: dict[str, np.ndarray], columns: int = 5) -> None:
@@ -39,73 +41,89 @@ def keypoints(image: np.ndarray, found: Sequence[Any], most: int = 300) -> None:
     show(fig, f"A photograph with {len(strongest)} keypoints, most of them at corners and leaves.")
 
 
-def _agreeing(detector: Any, norm: int, first: np.ndarray, second: np.ndarray) -> int:
-    """Return how many matches of two photographs agree with one geometry of the two cameras."""
-    (found, descriptors), (others, other_descriptors) = (
-        detector.detectAndCompute(image, None) for image in (first, second)
-    )
-    matches = cv2.BFMatcher(norm).knnMatch(descriptors, other_descriptors, k=2)
-    back = cv2.BFMatcher(norm).match(other_descriptors, descriptors)
-    good = [
-        best
-        for best, second_best in matches
-        if best.distance < 0.8 * second_best.distance
-        and back[best.trainIdx].trainIdx == best.queryIdx
-    ]
-    if len(good) < 8:
-        return 0
-    here = np.array([found[match.queryIdx].pt for match in good])
-    there = np.array([others[match.trainIdx].pt for match in good])
-    cv2.setRNGSeed(0)
-    _, inliers = cv2.findFundamentalMat(here, there, cv2.FM_RANSAC, 1.5, 0.999)
-    return 0 if inliers is None else int(inliers.sum())
+def compare_features(
+    images: dict[str, np.ndarray], pairs: Collection[frozenset[str]], count: int = 1000
+) -> None:
+    """Compare SIFT and ORB on all pairs of photographs that show the same place.
 
-
-def compare_features(pairs: dict[str, tuple[np.ndarray, np.ndarray]], count: int = 1000) -> None:
-    """Compare SIFT and ORB on pairs of photographs of the same place.
-
-    A match counts as right if it agrees with one geometry of the two cameras. Times are the best
-    of five, on this computer.
+    Drawn are the matches that agree with one geometry of the two cameras, and how many of them
+    agree by chance: between each pair's first photograph and one of another place. Times are the
+    median over all photographs, on this computer.
     """
-    detectors = {
-        "SIFT": (cv2.SIFT.create(count), cv2.NORM_L2, BLUE, ""),
-        "ORB": (cv2.ORB.create(count), cv2.NORM_HAMMING, ORANGE, "//"),
-    }
-    grey = {
-        name: [cv2.cvtColor(image, cv2.COLOR_RGB2GRAY) for image in pair]
-        for name, pair in pairs.items()
-    }
-    fig = figure(8, 5.4)
-    grid = fig.add_gridspec(3, 2 + len(pairs), height_ratios=[1, 1, 2.2])
-    clock, bars = fig.add_subplot(grid[:, :2]), fig.add_subplot(grid[2, 2:])
-    for column, (name, pair) in enumerate(pairs.items(), start=2):
-        for row, image in enumerate(pair):
-            axes = fig.add_subplot(grid[row, column])
-            photograph(axes, image, name if row == 0 else "", size=8)
+    listed = sorted(sorted(pair) for pair in pairs)
+    names = list(images)
+    strangers = []
+    for n, (one, other) in enumerate(listed):
+        far = [
+            name for name in names if not {frozenset((name, x)) for x in (one, other)} & set(pairs)
+        ]
+        strangers.append((one, [name for name in far if name not in (one, other)][(7 * n) % 15]))
+    fig = figure(8, 4.4)
+    clock, dots = fig.subplots(1, 2, width_ratios=[1, 4])
+    order: list[int] = []
     said = []
-    for row, (name, (detector, norm, colour, hatch)) in enumerate(detectors.items()):
-        image = next(iter(grey.values()))[0]
-        seconds = []
-        for _ in range(5):
+    for row, (name, (detector, norm, colour, marker)) in enumerate(_detectors(count).items()):
+        found, seconds = {}, []
+        for photo, image in images.items():
+            grey = cv2.cvtColor(image, cv2.COLOR_RGB2GRAY)
             start = time.perf_counter()
-            detector.detectAndCompute(image, None)
+            found[photo] = detector.detectAndCompute(grey, None)
             seconds.append(time.perf_counter() - start)
-        style: dict[str, Any] = {"color": colour, "hatch": hatch, "edgecolor": "white"}
-        clock.bar(row, 1000 * min(seconds), width=0.6, **style)
-        right = [_agreeing(detector, norm, *pair) for pair in grey.values()]
-        places = np.arange(len(right)) + 0.4 * row - 0.2
-        drawn = bars.bar(places, right, width=0.38, label=name, **style)
-        bars.bar_label(drawn, fontsize=8)
-        said.append(f"{name} {', '.join(map(str, right))}")
-    clock.set_xticks(range(len(detectors)), list(detectors))
+        right = np.array([two_views(found[a], found[b], norm).agree.sum() for a, b in listed])
+        chance = max(int(two_views(found[a], found[b], norm).agree.sum()) for a, b in strangers)
+        order = order or np.argsort(-right, kind="stable").tolist()
+        clock.bar(row, 1000 * np.median(seconds), width=0.6, color=colour)
+        dots.plot(right[order], marker, color=colour, label=name, markersize=7)
+        dots.axhspan(1, chance, color=GREY, alpha=0.18, lw=0, label=None if row else "by chance")
+        clear = int((right > chance).sum())
+        said.append(f"{name}: {clear} of {len(listed)} pairs are above its chance of {chance}")
+    clock.set_xticks(range(2), ["SIFT", "ORB"])
     clock.set_ylabel("time for one photograph [ms]")
-    bars.set_xticks(range(len(pairs)), list(pairs), fontsize=8)
-    bars.set_ylabel("right matches")
-    bars.legend(loc="upper right", fontsize=8)
-    for axes in (clock, bars):
+    dots.set_xticks(range(len(listed)), ["-".join(listed[n]) for n in order], rotation=90)
+    dots.tick_params(axis="x", labelsize=7)
+    dots.set_yscale("log")
+    dots.yaxis.set_major_formatter(ScalarFormatter())
+    dots.set_ylabel("matches that agree")
+    dots.set_ylim(bottom=5)
+    dots.grid(axis="y", color=LIGHT)
+    dots.set_title("; ".join(said), fontsize=8)
+    dots.legend(fontsize=8)
+    for axes in (clock, dots):
         quiet(axes)
     show(
         fig,
-        "SIFT takes several times longer than ORB and finds more right matches between "
-        f"photographs of the same place. For {', '.join(pairs)}: {'; '.join(said)}.",
+        f"SIFT and ORB on {len(listed)} pairs of photographs of the same place. {'; '.join(said)}.",
     )
+
+
+def _detectors(count: int) -> dict[str, tuple[Any, int, str, str]]:
+    return {
+        "SIFT": (cv2.SIFT.create(count), cv2.NORM_L2, BLUE, "o"),
+        "ORB": (cv2.ORB.create(count), cv2.NORM_HAMMING, ORANGE, "s"),
+    }
+
+
+def binary_descriptors(one: np.ndarray, other: np.ndarray) -> None:
+    """Draw the 256 bits of a spot, of the same spot in another photograph, and of a third one."""
+    detector, norm, *_ = _detectors(1000)["ORB"]
+    images = [cv2.cvtColor(image, cv2.COLOR_RGB2GRAY) for image in (one, other)]
+    (spots, bits), (others, other_bits) = (detector.detectAndCompute(i, None) for i in images)
+    matches = cv2.BFMatcher(norm, crossCheck=True).match(bits, other_bits)
+    best = min(matches, key=lambda match: match.distance)
+    third = max(range(len(bits)), key=lambda n: spots[n].response)
+    shown = [
+        ("a spot", images[0], spots[best.queryIdx], bits[best.queryIdx]),
+        ("found again", images[1], others[best.trainIdx], other_bits[best.trainIdx]),
+        ("another spot", images[0], spots[third], bits[third]),
+    ]
+    fig = figure(8, 2.6)
+    panels = fig.subplots(1, 6)
+    said = []
+    for n, (title, image, spot, descriptor) in enumerate(shown):
+        differ = int(np.unpackbits(descriptor ^ shown[0][3]).sum())
+        x, y = (int(value) for value in spot.pt)
+        photograph(panels[2 * n], image[max(0, y - 24) : y + 24, max(0, x - 24) : x + 24], title)
+        photograph(panels[2 * n + 1], np.unpackbits(descriptor).reshape(16, 16))
+        panels[2 * n + 1].set_title(f"{differ} of 256 differ" if n else "256 bits", fontsize=9)
+        said.append(f"{title}: {differ} of 256 bits differ")
+    show(fig, f"ORB descriptors as squares of black and white bits. {'; '.join(said[1:])}.")

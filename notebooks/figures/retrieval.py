@@ -1,9 +1,10 @@
 """Pictures of place recognition: who gets the votes, and do the places match?"""
 
-from collections.abc import Callable, Collection, Sequence
-from typing import Any
+from collections.abc import Callable, Collection
+from typing import Any, NamedTuple
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.patches import ConnectionPatch
 from matplotlib.ticker import ScalarFormatter
 
@@ -119,31 +120,50 @@ def matches(
     show(fig, f"Two photographs and their matches. {title}: {text}.")
 
 
-def agreement(counts: dict[str, Sequence[int]], walk: Images, pairs: Pairs, threshold: int) -> None:
-    """Draw for each query how many matches agree with each photograph of the walk."""
+def agreement(
+    agreeing: Callable[..., Any],
+    queries: tuple[str, ...],
+    walk: tuple[str, ...],
+    pairs: Pairs,
+    threshold: int,
+) -> None:
+    """Draw for each query how many matches agree with each photograph that was verified.
+
+    `agreeing(name, walk)` returns one number for each photograph of the walk, 0 where it was not
+    looked at. The most that wrong photographs reach on the walk itself is drawn as a band.
+    """
     fig = figure(8, 3.4)
     axes = fig.subplots()
-    names = list(walk)
-    for row, (query, numbers) in enumerate(counts.items()):
-        same = np.array([_is_same(query, name, pairs) for name in names])
-        values = np.maximum(np.asarray(numbers), 1)
-        axes.plot(values[~same], np.full((~same).sum(), row), "x", color=GREY, markersize=7)
-        axes.plot(values[same], np.full(same.sum(), row), "o", color=GREEN, markersize=8)
+    learnt, tried = (_decisions(agreeing, names, walk, pairs) for names in (walk, queries))
+    if learnt is None or tried is None:
+        note(axes, NOT_YET)
+        return show(fig, NOT_YET)
+    chance = float(learnt.scores[~learnt.same].max(initial=1.0))
+    for row, query in enumerate(queries):
+        values = np.asarray(agreeing(query, walk))
+        same = np.array([_is_same(query, name, pairs) for name in walk])
+        for these, marker, colour in ((~same, "x", GREY), (same, "o", GREEN)):
+            these = these & (values > 0)
+            axes.plot(values[these], np.full(these.sum(), row), marker, color=colour, markersize=8)
     axes.plot([], [], "o", color=GREEN, label="the same place")
     axes.plot([], [], "x", color=GREY, label="another place")
+    label = f"wrong on the walk: up to {chance:.0f}"
+    axes.axvspan(1, chance, color=GREY, alpha=0.18, lw=0, label=label)
     axes.axvline(threshold, color=VERMILLION, linestyle="--", label=f"threshold {threshold}")
     axes.set_xscale("log")
+    axes.set_xlim(left=5)
     axes.xaxis.set_major_formatter(ScalarFormatter())
-    axes.set_yticks(range(len(counts)), [f"query {name}" for name in counts])
+    axes.set_yticks(range(len(queries)), [f"query {name}" for name in queries])
     axes.invert_yaxis()
     axes.set_xlabel("matches that agree with one geometry")
     axes.grid(axis="x", color=LIGHT)
     axes.legend(loc="upper left", bbox_to_anchor=(1, 1), frameon=False)
     quiet(axes)
-    show(
+    return show(
         fig,
-        "Matches that agree with one geometry, for each query and each photograph of the walk. "
-        f"Photographs of other places stay below {threshold}; some of the same place do too.",
+        "Matches that agree with one geometry, for each query and its candidates on the walk, with "
+        f"the threshold {threshold}. Wrong candidates reach {chance:.0f} on the walk, and "
+        f"{tried.scores[~tried.same].max(initial=0):.0f} for the queries.",
     )
 
 
@@ -180,3 +200,86 @@ def first_places(searches: dict[str, Callable[..., Any]], images: Images, pairs:
     axes.set_xlabel("photographs whose first place is right")
     quiet(axes)
     show(fig, f"How often the first place is right. {'; '.join(said) or NOT_YET}")
+
+
+class _Decisions(NamedTuple):
+    """Scores of pairs of photographs, and which of them show the same place."""
+
+    scores: np.ndarray  # (N,)
+    same: np.ndarray  # (N,) bool
+
+    def at(self, threshold: float) -> tuple[int, int, int]:
+        """Count the right, the wrong and the missed loops at a threshold."""
+        closed = self.scores >= threshold
+        right = int((closed & self.same).sum())
+        return right, int((closed & ~self.same).sum()), int(self.same.sum()) - right
+
+
+def precision_recall(
+    scores: dict[str, Callable[..., Any]],
+    walk: tuple[str, ...],
+    queries: tuple[str, ...],
+    pairs: Pairs,
+    wrong_costs: float,
+) -> None:
+    """Draw precision and recall over the threshold of each score, on the walk and on the queries.
+
+    `score(name, walk)` returns one number for each photograph of the walk, large for a good match;
+    every photograph of the walk is compared with all others. The threshold is the one that costs
+    least on the walk, if a wrong loop costs as much as `wrong_costs` missed ones; of several the
+    highest.
+    """
+    fig = figure(8, 3.1 * len(scores))
+    panels = fig.subplots(len(scores), 2, squeeze=False)
+    said = []
+    for row, (label, score) in zip(panels, scores.items(), strict=True):
+        learnt = _decisions(score, walk, walk, pairs)
+        tried = _decisions(score, queries, walk, pairs)
+        if learnt is None or tried is None:
+            for axes in row:
+                note(axes, NOT_YET)
+            continue
+        steps = np.unique(np.append(learnt.scores, learnt.scores.max() + 1))
+        costs = [wrong_costs * wrong + missed for _, wrong, missed in map(learnt.at, steps)]
+        threshold = float(steps[::-1][int(np.argmin(costs[::-1]))])
+        for axes, decisions, where in zip(
+            row, (learnt, tried), ("walk", "five queries"), strict=True
+        ):
+            _draw_decisions(axes, decisions, steps, threshold)
+            right, wrong, missed = decisions.at(threshold)
+            axes.set_title(f"{where}: {right} right, {wrong} wrong, {missed} missed", fontsize=10)
+            axes.set_xlabel(f"threshold: {label}")
+            said.append(f"{label}, {where}: {right} right, {wrong} wrong, {missed} missed loops")
+        row[0].legend(fontsize=8, loc="center right")
+    show(fig, f"Precision and recall over the threshold. {'; '.join(said) or NOT_YET}")
+
+
+def _decisions(
+    score: Callable[..., Any], names: tuple[str, ...], walk: tuple[str, ...], pairs: Pairs
+) -> _Decisions | None:
+    found, same = [], []
+    for name in names:
+        values = attempt(score, name, walk)
+        if values is None:
+            return None
+        for other, value in zip(walk, np.asarray(values, dtype=float).tolist(), strict=True):
+            if other != name:
+                found.append(value)
+                same.append(_is_same(name, other, pairs))
+    return _Decisions(np.array(found), np.array(same))
+
+
+def _draw_decisions(axes: Axes, decisions: _Decisions, steps: np.ndarray, threshold: float) -> None:
+    counted = np.array([decisions.at(step) for step in steps], dtype=float)
+    right, wrong, missed = counted.T
+    closed = right + wrong > 0
+    precision = right[closed] / (right + wrong)[closed]
+    axes.plot(steps[closed], precision, color=BLUE, lw=2, label="precision")
+    axes.plot(steps, right / (right + missed), color=ORANGE, lw=2, ls="--", label="recall")
+    axes.axvline(threshold, color=VERMILLION, ls=":", lw=2, label=f"threshold {threshold:.3g}")
+    if steps.max() > 10:
+        axes.set_xscale("symlog", linthresh=10)
+        axes.xaxis.set_major_formatter(ScalarFormatter())
+    axes.set_ylim(-0.03, 1.05)
+    axes.grid(color=LIGHT)
+    quiet(axes)

@@ -22,6 +22,8 @@ import numpy as np
 
 import data
 from notebooks import figures
+from notebooks.explorers import explore_journey
+from notebooks.two_views import two_views
 
 # %% [markdown]
 # These are the places that the robot knows, 20 photographs of a walk round a campus. Some of them show the same
@@ -68,15 +70,25 @@ figures.keypoints(walk["0503"], keypoints)
 #   compares two pixels. *ORB* combines the two.
 #
 # **Predict**: which kind is faster, and which finds more right matches between two photographs of the same
-# place? Here are SIFT and ORB on five pairs of photographs from our walk, with a thousand features each. A match counts as
-# right if it agrees with where the two cameras stood, which is computed at the end of this chapter.
+# place? Here are SIFT and ORB on *all* pairs of our photographs that are known to show the same place, with a thousand
+# features each. Matches count if they agree with one position for each camera, which is explained at the end of this chapter.
+# A few agree by chance, even between different places: that is the grey band. A pair within the band tells nothing.
 
 # %% demo=true
 photographs = {**walk, **queries}
-pairs = ["0506 0507", "0508 0510", "0500 0501", "0495 0496", "0499 0500"]
-figures.compare_features(
-    {pair: tuple(photographs[name] for name in pair.split()) for pair in pairs}
-)
+figures.compare_features(photographs, data.same_place_pairs())
+
+# %% [markdown]
+# The bits of ORB are quick to compute and to compare: the distance of two descriptors is the number of bits in which they
+# differ. Robots with small computers build their words from them (*bags of binary words*, as in ORB-SLAM):
+
+# %% demo=true
+figures.binary_descriptors(photographs["0502"], photographs["0503"])
+
+# %% [markdown]
+# And the field has moved on: today the descriptors themselves are often *learnt*, by networks that describe a whole photograph by one
+# vector (NetVLAD, 2016, and its successors) and recognise a place by night that they saw by day. The rest of this chapter stays as it is with
+# them: vectors that are compared quickly, candidates, and geometry at the end.
 
 # %% [markdown]
 # ## From descriptors to words
@@ -150,7 +162,6 @@ figures.descriptor_space()
 # Now you build what you have put in order. First the features of all photographs:
 
 # %% demo=true
-photographs = {**walk, **queries}
 features = {name: sift.detectAndCompute(image, None) for name, image in photographs.items()}
 collection = np.vstack([features[name][1] for name in walk])
 print(f"{len(walk)} photographs of the walk have about {len(collection) // 1000} thousand features")
@@ -315,99 +326,124 @@ figures.search_results(queries, walk, likeness_to, same, "likeness")
 # each camera from which all of them make sense. This is **geometric verification**. It is too slow for a whole database,
 # but quick enough for the five best candidates.
 #
-# First, the matches: pairs of spots that are each other's nearest, and clearly nearer than the second nearest.
-
-
-# %% demo=true
-@cache
-def match(one, other):
-    """Return the matched spots of two photographs: two (N, 2) arrays, in pixels."""
-    (spots, a), (other_spots, b) = features[one], features[other]
-    there, back = cv2.BFMatcher().knnMatch(a, b, k=2), cv2.BFMatcher().match(b, a)
-    found = [m for m, n in there if m.distance < 0.8 * n.distance]
-    found = [m for m in found if back[m.trainIdx].trainIdx == m.queryIdx]
-    here = [spots[m.queryIdx].pt for m in found]
-    return np.array(here), np.array([other_spots[m.trainIdx].pt for m in found])
-
-
-# %% [markdown]
-# Then, which of them agree with one geometry? Two photographs of the same scene are tied together by a 3 × 3 matrix, the
+# First come the matches: pairs of spots that are each other's nearest, and clearly nearer than the second nearest. Then, which of
+# them agree with one geometry? Two photographs of the same scene are tied together by a 3 × 3 matrix, the
 # **fundamental matrix**: it turns a spot in one photograph into a line in the other, on which the matching spot must lie. Many
 # of the matches are wrong, so OpenCV looks for the matrix that most of them agree with. It does so by guessing, with an
-# algorithm that has a whole chapter of its own: RANSAC, chapter 3.
+# algorithm that has a whole chapter of its own: RANSAC, chapter 3. (Both steps are in `notebooks/two_views.py`.)
 
 
 # %% demo=true
 @cache
-def agreeing(one, other):
-    """Return for each match whether it agrees with the fundamental matrix that most agree with."""
-    cv2.setRNGSeed(0)
-    here, there = match(one, other)
-    _, inliers = cv2.findFundamentalMat(here, there, cv2.FM_RANSAC, 1.5, 0.999)
-    return np.zeros(len(here), dtype=bool) if inliers is None else inliers.ravel() > 0
+def views(one, other):
+    """Return the matched spots of two photographs, and which of them agree with one geometry."""
+    return two_views(features[one], features[other])
 
 
 # %% [markdown]
 # The same place, seen from two sides:
 
 # %% demo=true
-figures.matches(
-    photographs["0508"],
-    walk["0510"],
-    *match("0508", "0510"),
-    agreeing("0508", "0510"),
-    "0508, 0510",
-)
+figures.matches(photographs["0508"], walk["0510"], *views("0508", "0510")[:3], "0508, 0510")
 
 # %% [markdown]
 # And the palm trees with the place that won the votes:
 
 # %% demo=true
-figures.matches(
-    photographs["0513"],
-    walk["0506"],
-    *match("0513", "0506"),
-    agreeing("0513", "0506"),
-    "0513, 0506",
-)
+figures.matches(photographs["0513"], walk["0506"], *views("0513", "0506")[:3], "0513, 0506")
 
 # %% [markdown]
-# A few matches always agree by chance: there is some matrix that suits a dozen of them. How many are enough? Here is the
-# number of matches that agree, for each query with each place:
+# Now follow one keypoint on its whole journey, by your own functions. Click on a spot of the photograph 0508, go down the tree with it, and watch whom
+# it votes for. Let the votes grow: who leads after 100 of them, who at the end, and who with the weights? Then move the pointer
+# over the photograph, and look for the same spot on the thick line in the candidate. (Then put `"0513"` in place of
+# `"0508"`, and see where the palm leaves lead.)
 
 # %% demo=true
-counts = {name: [agreeing(name, place).sum() for place in walk] for name in queries}
-figures.agreement(counts, walk, same, threshold=15)
+functions = [train_tree, descend_tree, build_inverted_file, idf_weights]
+explore_journey("0508", photographs, features, tuple(walk), functions)
 
 # %% [markdown]
-# No wrong place reaches 15. And not all right places do: 0511 and 0513 have no place above the threshold at all, and by eye
+# ## How many are enough?
+#
+# Some matches always agree by chance: there is some matrix that suits ten of them. So we need a threshold, and it must not be chosen on the
+# queries on which it is tried afterwards. Let each photograph of the *walk* search among the others, as often happens on a real drive, and verify its
+# five best candidates:
+
+
+# %% demo=true
+def agreeing_with(name, places=tuple(walk)):
+    """Return the number of agreeing matches of the five best candidates; 0 for all other places."""
+    likeness, counts = likeness_to(name, places), np.zeros(len(places))
+    for place in [place for place in np.argsort(-likeness) if places[place] != name][:5]:
+        counts[place] = views(name, places[place]).agree.sum()
+    return counts
+
+
+# %% [markdown]
+# **Precision** is the share of right ones among the loops that are closed, **recall** the share of loops that are closed among those that could be. A
+# low threshold closes many, some of them wrong; a high one misses many. What does that cost? A missed loop is a chance lost, and the next one may come soon. A
+# wrong loop bends the map, and everything that is added afterwards. Say that one wrong loop is as bad as twenty missed
+# ones. The threshold of least cost on the walk is marked on the left. On the right it is tried on the five queries. **Predict**: which of the two scores closes more
+# loops, the bags or the geometry?
+
+# %% demo=true
+scores = {"likeness of the bags": likeness_to, "agreeing matches": agreeing_with}
+figures.precision_recall(scores, tuple(walk), tuple(queries), same, wrong_costs=20)
+
+# %% [markdown]
+# For the bags alone the cheapest is to close no loop at all: no likeness is high enough to be believed. Change the 20 to 1, for a robot that can
+# afford mistakes. Which of the two thresholds moves?
+#
+# For the geometry, no wrong candidate of the walk reaches the threshold that you see on the left. The next building may have more windows that
+# look alike, so we leave a margin and ask for 20. Here are the queries again, one by one; the grey band is what chance has reached on the walk.
+
+# %% demo=true
+figures.agreement(agreeing_with, tuple(queries), tuple(walk), same, threshold=20)
+
+# %% [markdown]
+# No wrong place reaches 20. And not all right places do: 0511 and 0513 have no place above the threshold at all, and by eye
 # you had difficulties, too. For them the honest answer of the robot is "I do not know this place". It
 # closes one loop less, and keeps its map.
 #
-# Your search with the verification of its five best candidates: a place that is verified goes to the front.
+# Nister and Stewenius take one more thing from the tree: not only its words, the *inner nodes* count as well. Two descriptors that end
+# at different words may have come down the same branch for a while, and that is some likeness, too. Each node gets a weight in
+# the same way; those near the root, through which all images go, weigh nothing by themselves. Your functions need no change, only longer
+# histograms:
+
+
+# %% demo=true
+def nodes_of(name):
+    """Return the words of a photograph, and the nodes above each of them, numbered on."""
+    word = words_of(name)
+    return np.concatenate([word, 512 + word // 8, 512 + 64 + word // 64])
+
+
+def likeness_by_nodes(name, places=tuple(walk)):
+    """Return how alike a photograph and each place are, by all nodes of the tree."""
+    bags = np.array([np.bincount(nodes_of(other), minlength=584) for other in (name, *places)])
+    return 2 - l1_scores(bags[0], bags[1:], idf_weights(bags[1:]))
+
+
+# %% [markdown]
+# Last, the search with verification: a place that is verified goes to the front. Five queries are too few to say which method is
+# better. So let *each* of the 25 photographs search among all others, the walk and the queries together, and count how
+# often its first place is right:
 
 
 # %% demo=true
 def verified_likeness_to(name, places=tuple(walk)):
-    """Return the likeness of each place, plus the number of agreeing matches if it is verified."""
-    likeness = likeness_to(name, places)
-    for place in np.argsort(-likeness)[:5]:
-        count = agreeing(name, places[place]).sum()
-        likeness[place] += count if count >= 15 else 0
-    return likeness
+    """Return the likeness of each place, plus the number of agreeing matches if they are enough."""
+    counts = agreeing_with(name, places)
+    return likeness_to(name, places) + np.where(counts >= 20, counts, 0)
 
 
 # %% demo=true
-figures.search_results(queries, walk, verified_likeness_to, same, "verified")
-
-# %% [markdown]
-# A high bar is a place that you can believe in; where all bars are low, do not believe the first one either.
-#
-# Five queries are too few to say which method is better. So let *each* of the 25 photographs search among all others, the
-# walk and the queries together, and count how often its first place is right:
-
-# %% demo=true
-searches = {"votes": votes_for, "weighted": likeness_to, "verified": verified_likeness_to}
+searches = {
+    "votes": votes_for,
+    "weighted": likeness_to,
+    "all nodes": likeness_by_nodes,
+    "verified": verified_likeness_to,
+}
 figures.first_places(searches, photographs, same)
 
 # %%
@@ -419,6 +455,7 @@ progress()
 # - Words make it fast: a tree to find them, an inverted file to look them up.
 # - Weights make it better: what occurs everywhere tells nothing.
 # - Geometry makes it safe: it is slow, and comes last.
+# - A threshold is chosen on other photographs than those on which it is tried.
 #
 # ## Further reading
 #
@@ -428,5 +465,7 @@ progress()
 #   image retrieval*, ECCV 2012: what happens if the geometry of *all* candidates is checked.
 # - D. Gálvez-López and J. D. Tardós, *Bags of binary words for fast place recognition in image sequences*,
 #   IEEE Transactions on Robotics 28(5), 2012: the same with binary features, as many robots use it.
+# - R. Arandjelović, P. Gronat, A. Torii, T. Pajdla and J. Sivic, *NetVLAD: CNN architecture for weakly supervised place
+#   recognition*, CVPR 2016: one learnt vector for a whole photograph.
 #
 # Next: [line fitting](2_line_fitting.ipynb).

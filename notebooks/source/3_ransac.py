@@ -11,6 +11,7 @@
 
 # %%
 import math
+from statistics import NormalDist
 from typing import NamedTuple
 
 import cv2
@@ -175,11 +176,8 @@ figures.runs_that_failed(N, w, 100, success_after_100, np.random.default_rng(0))
 
 # %% exercise="Q3.2.5"
 
-# %% demo=true
-figures.waiting_times(N, w, 3, plane_iterations, np.random.default_rng(0))
-
 # %% [markdown]
-# Did the simulation stay a little *below* 95 %? It draws three *different* points, as a real program does, so the
+# A real program draws three *different* points, so the
 # probability of a clean sample is $\frac{200}{1000} \cdot \frac{199}{999} \cdot \frac{198}{998}$, slightly less than
 # $w^3$. The question told you to neglect that, as the exercise sheet does. For lines it makes no difference in the end,
 # for planes it costs a few iterations. Both numbers are accepted.
@@ -249,6 +247,46 @@ figures.found_line(few, ransac_line, threshold=0.3, iterations=50)
 
 # %% demo=true
 figures.found_line(points, ransac_line, threshold=0.06, iterations=100)
+
+# %% [markdown]
+# ## When to stop, and what to count
+#
+# The number of iterations needs $w$, which nobody knows beforehand. You saw the way out above: every line found so far is a
+# guess of it.
+
+# %% exercise="Q3.7a"
+
+# %% [markdown]
+# Three hundred runs on the scan, each ended by your function. **Predict**: do they need more samples than the number that you would compute if you knew
+# the share of the largest wall, or fewer?
+
+# %% demo=true
+figures.stopping(points, adaptive_stop, 0.06, p, np.random.default_rng(0))
+
+# %% [markdown]
+# The threshold need not be tried out either, if the noise is known. When points are off by $\sigma$, the squared distance of an inlier from its line,
+# $d^2 / \sigma^2$, follows the **chi-square** distribution with one degree of freedom: 95 % of them lie below 3.84, the square of 1.96. So a
+# threshold of $1.96\,\sigma$ keeps 95 % of the inliers. For the laser with its 2 cm that is 4 cm; the 6 cm that we use leave room for the
+# line, which is off as well:
+
+# %% demo=true
+sigma = 0.02
+for share in (0.9, 0.95, 0.99):
+    print(
+        f"{share:.0%} of the inliers within {NormalDist(0, sigma).inv_cdf((1 + share) / 2):.3f} m"
+    )
+
+# %% [markdown]
+# And why should a point at the edge of the band count as much as one in its middle?
+
+# %% exercise="Q3.7b"
+
+# %% [markdown]
+# The wall's line is pushed to and fro here. Counting goes in steps, and within the lowest one it cannot tell one position from another. Your cost
+# has a single lowest point:
+
+# %% demo=true
+figures.pushed_line(points[77:131], fit_line(points[77:131]), msac_cost, threshold=0.06)
 
 # %% [markdown]
 # ## Planes in space

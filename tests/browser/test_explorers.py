@@ -164,3 +164,87 @@ def test_the_cloud_has_names_for_everything_and_fits_into_narrow_windows(cloud: 
     assert cloud.get_by_role("img").count() == 4
     cloud.set_viewport_size({"width": 390, "height": 900})
     assert cloud.evaluate("document.documentElement.scrollWidth") <= 390
+
+
+def a_journey() -> dict:
+    """Three places and four keypoints; the third place has every word, the first one word."""
+    dot = "data:image/gif;base64,R0lGODlhAQABAIAAAAAAAP///yH5BAEAAAAALAAAAAABAAEAAAIBRAA7"
+    level = {
+        "count": 2,
+        "words": [0, 1, 1, 0],
+        "rows": [[2], [0, 2]],
+        "weights": [0.5, 2.0],
+        "sizes": [3, 4],
+        "examples": {"0": [0], "1": [0, 1]},
+    }
+    sideways = [[0, 0, 0], [0, 0, -1], [0, 1, 0]]  # the same height in both photographs
+    matches = {"pairs": [[5, 5, 9, 5], [8, 30, 9, 2]], "agree": [1, 0], "fundamental": sideways}
+    return {
+        "query": "Q",
+        "places": ["A1", "B2", "C3"],
+        "photographs": dict.fromkeys(("Q", "A1", "B2", "C3"), dot),
+        "size": [200, 100],
+        "spots": [[20, 20, 6, 0], [100, 50, 6, 90], [150, 80, 6, 10], [180, 20, 6, 0]],
+        "first": 1,
+        "trees": [{"children": 2, "levels": [level]}],
+        "patches": [[0, 10, 10, 6, 0], [2, 30, 30, 6, 0]],
+        "matches": [matches, {"pairs": [], "agree": [], "fundamental": None}, matches],
+    }
+
+
+@pytest.fixture
+def trip(browser: Browser) -> Iterator[Page]:
+    page = open_page(browser, "journey.js", a_journey())
+    page.emulate_media(reduced_motion="reduce")
+    yield page
+    page.close()
+
+
+def test_the_votes_are_those_of_a_hand_calculation(trip: Page):
+    result = trip.locator(".ex-result")
+    expect(result).to_contain_text("Keypoint 2 is word 1. 2 of 3 places have this word.")
+    expect(result).to_contain_text("Best candidate of 4 votes: C3, with 4.")
+    trip.get_by_label("a vote counts").select_option(label="the weight of its word")
+    expect(result).to_contain_text("C3, with 5.0.")  # 0.5 + 2 + 2 + 0.5
+    trip.get_by_label("keypoints that have voted").fill("1")
+    expect(result).to_contain_text("Best candidate of 1 votes: C3, with 0.5.")
+    trip.get_by_role("button", name="Let the votes grow").click()
+    expect(result).to_contain_text("C3, with 5.0.")
+
+
+def test_a_click_and_the_arrow_keys_choose_a_keypoint(trip: Page):
+    box = trip.locator(".ex-photo").first.bounding_box()
+    trip.mouse.click(box["x"] + 0.1 * box["width"], box["y"] + 0.2 * box["height"])
+    expect(trip.locator(".ex-result")).to_contain_text("Keypoint 1 is word 0. 1 of 3 places")
+    trip.get_by_label("keypoint", exact=True).focus()
+    trip.keyboard.press("ArrowRight")
+    expect(trip.locator(".ex-result")).to_contain_text("Keypoint 2 is word 1.")
+
+
+def test_the_line_of_the_spot_under_the_pointer_is_drawn_in_the_candidate(trip: Page):
+    """With cameras side by side, a spot lies at the same height in the other photograph."""
+    box = trip.locator(".ex-photo").last.bounding_box()
+    trip.mouse.move(box["x"] + 0.2 * box["width"], box["y"] + 0.3 * box["height"])
+    line = trip.locator("line.ex-thick").last
+    heights = [float(line.get_attribute(name)) for name in ("y1", "y2")]
+    assert heights == pytest.approx([30, 30], abs=1.5)
+    trip.get_by_label("compare with").select_option(label="B2")
+    expect(trip.locator(".ex-result")).to_contain_text("0 of 0 matches with B2 agree")
+    assert trip.locator("line.ex-thick").count() == 0
+
+
+def test_the_journey_has_names_for_everything_and_fits_into_narrow_windows(trip: Page):
+    found = Axe().run(trip, options={"rules": {"page-has-heading-one": {"enabled": False}}})
+    assert [violation["id"] for violation in found.response["violations"]] == []
+    trip.set_viewport_size({"width": 390, "height": 900})
+    assert trip.evaluate("document.documentElement.scrollWidth") <= 390
+    tall = trip.locator(".ex-photo").last
+    expect(tall).to_have_attribute("viewBox", "0 0 200 214")  # one above the other
+
+
+def test_a_journey_says_which_function_is_missing(browser: Browser):
+    values = a_journey()
+    values["trees"][0]["levels"][0] |= {"rows": None, "weights": None}
+    page = open_page(browser, "journey.js", values)
+    expect(page.locator(".ex-result")).to_contain_text("write build_inverted_file")
+    page.close()

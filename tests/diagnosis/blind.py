@@ -16,6 +16,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, NamedTuple
 
+import cv2
 import numpy as np
 import sympy as sp
 
@@ -83,7 +84,8 @@ class BlindMarker:
         """What a chapter has defined: its own helpers, and right work for the questions before."""
         chapter = question[1]
         if chapter not in self._chapters:
-            names: dict[str, Any] = {"np": np, "math": math, "sp": sp, "NamedTuple": NamedTuple}
+            names: dict[str, Any] = {"cv2": cv2, "np": np, "math": math, "sp": sp}
+            names["NamedTuple"] = NamedTuple
             names |= {"r": sp.Symbol("r", real=True), "alpha": sp.Symbol("alpha", real=True)}
             (path,) = (ROOT / "notebooks").glob(f"{chapter}_*.ipynb")
             for cell in json.loads(path.read_text(encoding="utf-8"))["cells"]:

@@ -5,12 +5,14 @@ import subprocess
 import sys
 from typing import Any
 
+import cv2
 import numpy as np
 import pytest
 import sympy as sp
 
 import data
 from notebooks import figures
+from notebooks.explorers.journey import Functions, Journey
 from notebooks.explorers.still import ransac_run
 from notebooks.figures import chances, style
 
@@ -47,6 +49,19 @@ def rng() -> np.random.Generator:
     return np.random.default_rng(0)
 
 
+def small_journey(*functions: Any) -> Journey:
+    """The journey of 0491 through two places with 60 features each."""
+    sift = cv2.SIFT.create(60)
+    features = {name: sift.detectAndCompute(image, None) for name, image in WALK.items()}
+    return Journey("0491", WALK, features, list(WALK), Functions(halves, *functions))
+
+
+def halves(descriptors: np.ndarray, k: int, depth: int) -> tuple[list[np.ndarray], np.ndarray]:
+    """A tree without meaning: descriptor number i belongs to leaf i modulo their number."""
+    levels = [np.zeros((k ** (level + 1), 128)) for level in range(depth)]
+    return levels, np.arange(len(descriptors)) % k**depth
+
+
 PLAIN = {
     "cloud_views": lambda: figures.cloud_views(POINTS),
     "ransac_steps": lambda: figures.ransac_steps(POINTS, ransac_run(POINTS, 0.05, 10, 1), 0.05),
@@ -65,7 +80,8 @@ PLAIN = {
     "matches": lambda: figures.matches(
         WALK["0491"], WALK["0493"], POINTS, POINTS + 1, np.arange(20) < 5
     ),
-    "agreement": lambda: figures.agreement({"0492": [90, 3, 0]}, WALK, PAIRS, 15),
+    "journey": lambda: figures.journey(small_journey(stub, stub, stub)),
+    "binary_descriptors": lambda: figures.binary_descriptors(WALK["0491"], WALK["0493"]),
 }
 # With `...` for a response and a stub for a function: the untouched notebook.
 UNTOUCHED = {
@@ -78,6 +94,9 @@ UNTOUCHED = {
     "waiting_times": lambda: figures.waiting_times(100, 0.5, 2, ..., rng(), runs=1000),
     "runs_that_failed": lambda: figures.runs_that_failed(100, 0.5, 3, ..., rng(), runs=100),
     "noisy_inliers": lambda: figures.noisy_inliers(100, 0.5, ..., rng()),
+    "laser_errors": lambda: figures.laser_errors(POINTS, stub, stub, 0.02, 0.05, rng()),
+    "stopping": lambda: figures.stopping(POINTS, stub, 0.1, 0.95, rng()),
+    "pushed_line": lambda: figures.pushed_line(POINTS, (1.0, math.pi / 2), stub, 0.1),
     "growth": lambda: figures.growth(stub, {"a line": 2}),
     "walls_of_scan": lambda: figures.walls_of_scan(POINTS, stub, 0.1, 5, 5),
     "corridor_walls": lambda: figures.corridor_walls(SCANS, stub, 500, 0.1, 5, 5),
@@ -86,6 +105,10 @@ UNTOUCHED = {
     "way_down": lambda: figures.way_down(POINTS[0], [POINTS[:2], POINTS[:4]], stub),
     "occurrences": lambda: figures.occurrences([np.array([0, 1])], 2, stub),
     "search_results": lambda: figures.search_results(WALK, WALK, stub, PAIRS, "votes"),
+    "agreement": lambda: figures.agreement(stub, tuple(WALK), tuple(WALK), PAIRS, 15),
+    "precision_recall": lambda: figures.precision_recall(
+        {"votes": stub}, tuple(WALK), tuple(WALK), PAIRS, 20
+    ),
     "first_places": lambda: figures.first_places({"votes": stub}, WALK, PAIRS),
 }
 
@@ -176,3 +199,18 @@ def test_on_a_screen_a_picture_carries_its_text(monkeypatch):
     assert 'alt="Points &quot;on&quot; a line, r &lt; 2"' in bundle["text/html"]
     assert 'src="data:image/png;base64,' in bundle["text/html"]
     assert bundle["text/plain"] == 'Points "on" a line, r < 2'
+
+
+def test_a_threshold_is_chosen_on_the_walk_and_counted_on_the_queries(shown):
+    """By hand: on the walk the wrong pairs score 3, the right one 8; the query's right one 5."""
+    walk, queries = ("0491", "0492", "0499"), ("0493",)
+    pairs = [frozenset(("0491", "0492")), frozenset(("0493", "0491"))]
+
+    def score(name, places):
+        right = {"0493": 5.0}.get(name, 8.0)
+        return [right if frozenset((name, place)) in pairs else 3.0 for place in places]
+
+    figures.precision_recall({"s": score}, walk, queries, pairs, wrong_costs=20)
+    alt = shown[0]["metadata"]["alt"]
+    assert "s, walk: 2 right, 0 wrong, 0 missed loops" in alt
+    assert "s, five queries: 0 right, 0 wrong, 1 missed loops" in alt

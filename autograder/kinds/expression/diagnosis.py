@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import time
 from collections.abc import Iterator, Mapping, Sequence
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -20,6 +21,7 @@ from autograder.kinds.expression.wholes import terms, wholes
 from autograder.kinds.formula import evaluate_formula
 from autograder.marking.diagnosis.relations import RELATIONS, Diagnosis
 from autograder.marking.mutants.formula_edits import edited_formulas
+from autograder.marking.mutants.mutant import Mutant
 
 MOST_SECONDS = 0.1  # of a processor, for one response
 _MOST_TERMS = 8  # that a fit may have, of 24 points
@@ -80,7 +82,7 @@ def _diagnoses(
 
     def of(text: str, at: Mapping[str, NDArray[np.float64]] = points) -> NDArray[Any] | None:
         try:
-            return np.broadcast_to(evaluate_formula(text, at), (count,))
+            return np.broadcast_to(evaluate_formula(text, at), next(iter(at.values())).shape)
         except CourseError:  # it has a symbol that is not drawn here
             return None
 
@@ -113,14 +115,14 @@ def _diagnoses(
         for factor in (3.0, 4.0, 0.25):
             words = "a constant factor is wrong: look at where you double or halve"
             yield told(fits(expected * factor), "a constant factor", words, f"factor {factor:g}")
-    whole = list(wholes(entry.expression, list(question.symbols)))
+    whole, edited = _changed(entry.expression, tuple(question.symbols))
     for name, words, text in whole:
         yield told(fits(of(text)), name, words, text)
     if period is None:
         yield _by_terms(question, terms(entry.expression), of, values)
         for name, words, wrong in slopes(of, entry.expression, list(question.symbols), points):
             yield told(fits(wrong) or _nearly(wrong, values), name, words)
-    for mutant, text in edited_formulas(entry.expression, list(question.symbols)):
+    for mutant, text in edited:
         words = _WORDS.get(mutant.operator, f"{mutant.operator} somewhere in it")
         yield told(fits(of(text)), mutant.operator, words, mutant.name)
     for name, words, text in whole:
@@ -130,6 +132,14 @@ def _diagnoses(
         if _constant(values, off) is not None:
             words = f"there are two things: {words}; and a constant factor or the sign is wrong"
             yield told(True, f"{name}, and a constant factor", words, text)
+
+
+@cache
+def _changed(
+    formula: str, symbols: tuple[str, ...]
+) -> tuple[tuple[tuple[str, str, str], ...], tuple[tuple[Mutant, str], ...]]:
+    """The right formula with one thing wrong throughout, and in one place."""
+    return tuple(wholes(formula, symbols)), tuple(edited_formulas(formula, symbols))
 
 
 def _by_terms(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import zlib
 from typing import Any
 
 import numpy as np
@@ -85,7 +86,16 @@ def mark_expression(
 
     found = diagnose_expression(question, answer, points, values.astype(complex), around)
     if found is not None:
-        return Mark(question.id, "wrong", 0.0, question.points, found.sentence, found.name, **known)
+        return Mark(
+            question.id,
+            "wrong",
+            0.0,
+            question.points,
+            found.sentence,
+            found.name,
+            evidence=found.evidence,
+            **known,
+        )
     return Mark(
         question.id,
         "wrong",
@@ -93,6 +103,7 @@ def mark_expression(
         question.points,
         "It differs from the right expression, and from the mistakes known here. Put a simple data "
         "set into both sides and see where they part.",
+        evidence=f"values {zlib.crc32(','.join(f'{v:.6g}' for v in values).encode()):08x}",
         **known,
     )
 

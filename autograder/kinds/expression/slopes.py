@@ -8,8 +8,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from autograder.kinds.formula import evaluate_formula
-
 _STEP = 1e-3
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(20)
 Points = Mapping[str, NDArray[np.float64]]
@@ -24,20 +22,25 @@ def slopes(
     A derivative is right to about nine digits. An antiderivative is zero where its symbol is.
     """
     for symbol in symbols:
-        around = [
-            of(formula, {**points, symbol: points[symbol] + step * _STEP})
-            for step in (-2, -1, 1, 2)
-        ]
-        if any(values is None for values in around):
+        if symbol not in formula:
             continue
-        a, b, c, d = (np.asarray(values) for values in around)
+        at = points[symbol]
+
+        def beside(values: NDArray[Any], symbol: str = symbol) -> NDArray[Any] | None:
+            """The formula where the symbol has each row of values, all in one."""
+            many = {name: np.tile(other, len(values)) for name, other in points.items()}
+            found = of(formula, {**many, symbol: values.ravel()})
+            return None if found is None else found.reshape(values.shape)
+
+        around = beside(at + _STEP * np.array([[-2.0], [-1.0], [1.0], [2.0]]))
+        if around is None:
+            return
         with np.errstate(all="ignore"):
-            slope = (a - 8 * b + 8 * c - d) / (12 * _STEP)
+            slope = (around[0] - 8 * around[1] + 8 * around[2] - around[3]) / (12 * _STEP)
         words = f"this is the derivative in {symbol} of what is asked for: one time too many"
         yield f"differentiated once more in {symbol}", words, slope
-        area = np.zeros(len(points[symbol]))
-        for node, weight in zip(_NODES, _WEIGHTS, strict=True):
-            at = {**points, symbol: points[symbol] * (node + 1) / 2}
-            area = area + weight / 2 * np.asarray(evaluate_formula(formula, at))
-        words = f"it was not differentiated in {symbol}, or integrated instead"
-        yield f"not differentiated in {symbol}", words, area * points[symbol]
+        between = beside(at * (_NODES[:, np.newaxis] + 1) / 2)
+        if between is not None:
+            area = np.asarray(_WEIGHTS / 2 @ between) * at
+            words = f"it was not differentiated in {symbol}, or integrated instead"
+            yield f"not differentiated in {symbol}", words, area

@@ -12,10 +12,12 @@ from typing import Any
 
 import numpy as np
 
+from autograder.kinds.function.repairs import Repair, repairs
 from autograder.marking.diagnosis.relations import RELATIONS, Diagnosis
 
 MOST_SECONDS = 0.1  # of a processor, for one response
 _FEWEST = 2  # wrong cases that a relation has to explain
+_TELLING_NUMBERS = 6  # different ones, for a line through them to say anything
 _PLACES = ("first", "second", "third", "fourth")
 Same = Callable[[Mapping[str, Any], Any, Any], bool]
 Change = Callable[[Mapping[str, Any], Any], Any]
@@ -31,27 +33,156 @@ def diagnose_function(
     outcomes: Sequence[Any],
     verdicts: Sequence[bool],
     same: Same,
+    counts_as_right: Same | None = None,
 ) -> Diagnosis | None:
     """The simplest relation between right values and those returned, or None.
 
-    ``same`` tells whether the second of two values counts as the first for a case.
+    ``same`` tells whether the second of two values counts as the first for a case, and
+    ``counts_as_right`` the same by the question's own measure alone.
     """
-    end = time.process_time() + MOST_SECONDS
+    end = time.thread_time() + MOST_SECONDS
     asked = [i for i, outcome in enumerate(right) if "value" in outcome]
     wrong = [i for i in asked if not verdicts[i]]
-    given = [outcomes[i] for i in asked]
-    if len(wrong) < _FEWEST or not all(isinstance(o, dict) and "value" in o for o in given):
+    if found := _never_a_value(outcomes, wrong):
+        return found
+    if any(not (isinstance(outcomes[i], dict) and "value" in outcomes[i]) for i in wrong):
         return None
+    if _nothing_for_an_empty_case(right, outcomes, verdicts, wrong):
+        return Diagnosis(
+            "an empty case",
+            "It looks as if only the empty case is wrong: it asks for an empty result, too.",
+        )
+    if len(wrong) < _FEWEST:
+        return None
+    # Somebody who treats what is empty apart, or has nothing to change there, is right there.
+    telling = [i for i in asked if not (verdicts[i] and _is_empty(right[i]["value"]))]
     # The wrong ones first: a relation that does not hold is soon refuted.
-    order = [*wrong, *(i for i in asked if verdicts[i])]
+    order = [*wrong, *(i for i in telling if verdicts[i])]
+    if any(not (isinstance(outcomes[i], dict) and "value" in outcomes[i]) for i in order):
+        return None  # an exception that counts as right
     if all(_explains(_itself, cases[i], right[i], outcomes[i], same) for i in asked):
         return _right_but(cases, outcomes, wrong)
     for diagnosis, change in _changes(cases, right, asked):
-        if time.process_time() > end:
+        if time.thread_time() > end:
             return None
         if all(_explains(change, cases[i], right[i], outcomes[i], same) for i in order):
             return diagnosis
+    for name, words, repair in repairs():
+        if time.thread_time() > end:
+            return None
+        if all(
+            _is_mended(repair, cases[i], right[i], outcomes[i], counts_as_right or same)
+            for i in wrong
+        ):
+            return Diagnosis(name, f"It looks as if {words}.")
+    return _linear(right, outcomes, order, [i for i in asked if verdicts[i]])
+
+
+def _never_a_value(outcomes: Sequence[Any], wrong: Sequence[int]) -> Diagnosis | None:
+    """Something that is made when it is asked for, in place of what was asked for."""
+    reasons = [outcomes[i].get("unusable") for i in wrong if isinstance(outcomes[i], dict)]
+    lazy = [reason for reason in reasons if isinstance(reason, str) and reason == "lazy"]
+    if len(wrong) >= _FEWEST and len(lazy) == len(wrong):
+        return Diagnosis(
+            "a generator",
+            "It looks as if a generator is returned and nothing was computed yet: "
+            "make a list or an array of it.",
+        )
     return None
+
+
+def _nothing_for_an_empty_case(
+    right: Sequence[Mapping[str, Any]],
+    outcomes: Sequence[Any],
+    verdicts: Sequence[bool],
+    wrong: Sequence[int],
+) -> bool:
+    """Whether all is right but what has nothing to be computed from."""
+    if not wrong or sum(verdicts) < len(verdicts) - len(wrong) or sum(verdicts) < _FEWEST:
+        return False
+    return all(
+        _is_empty(right[i]["value"]) and not outcomes[i].get("changed")
+        and (outcomes[i]["value"] is None or _is_empty(outcomes[i]["value"]))
+        for i in wrong
+    )  # fmt: skip
+
+
+def _is_empty(value: Any) -> bool:
+    if isinstance(value, np.ndarray):
+        return value.size == 0
+    return isinstance(value, list) and len(value) == 0
+
+
+def _is_mended(
+    repair: Repair,
+    case: Mapping[str, Any],
+    right: Mapping[str, Any],
+    outcome: Mapping[str, Any],
+    same: Same,
+) -> bool:
+    if "changed" in outcome:
+        return False
+    try:
+        with np.errstate(all="ignore"):
+            return bool(same(case, right["value"], repair(case, right["value"], outcome["value"])))
+    except Exception:
+        # What cannot be repaired so is not mended by it.
+        return False
+
+
+def _linear(
+    right: Sequence[Mapping[str, Any]],
+    outcomes: Sequence[Any],
+    order: Sequence[int],
+    unchanged: Sequence[int],
+) -> Diagnosis | None:
+    """All numbers are the right ones times a constant, plus another."""
+    given, wanted = [], []
+    for i in order:
+        one, other = _flat(outcomes[i]["value"]), _flat(right[i]["value"])
+        if one is None or other is None or len(one) != len(other):
+            return None
+        given.append(one)
+        wanted.append(other)
+    y, x = np.concatenate(given), np.concatenate(wanted)
+    if len(np.unique(x)) < _TELLING_NUMBERS or np.ptp(x) == 0 or not np.isfinite(y).all():
+        return None
+    if not np.isfinite(x).all():
+        return None
+    factor, offset = np.polyfit(x, y, 1)
+    if np.any(np.abs(factor * x + offset - y) > 1e-7 * np.maximum(np.abs(y), 1e-3)):
+        return None
+    if abs(factor) < 1e-6 or (abs(factor - 1) < 1e-6 and abs(offset) < 1e-9):
+        return None
+    evidence = f"{factor:.6g} times the right value, plus {offset:.6g}"
+    if abs(offset) < 1e-9 * np.abs(y).max():
+        return Diagnosis(
+            "a constant factor",
+            "It looks as if only a constant factor is wrong: the form is right.",
+            evidence,
+        )
+    if abs(factor + 1) < 1e-6:
+        return Diagnosis(
+            "counted from the other end",
+            "It looks as if the result is counted from the other end: what should be large is "
+            "small, and the other way round.",
+            evidence,
+        )
+    if abs(factor - 1) < 1e-6:
+        return Diagnosis(
+            "a constant more",
+            "It looks as if a constant was added that is not asked for, or left out.",
+            evidence,
+        )
+    return None
+
+
+def _flat(value: Any) -> np.ndarray | None:
+    try:
+        array = np.asarray(value)
+    except ValueError:
+        return None
+    return array.astype(float).ravel() if array.dtype.kind in "iuf" else None
 
 
 def _right_but(
@@ -112,11 +243,54 @@ def _changes(
         ("sorted", "the results were sorted", _on_array(lambda x: np.sort(x, axis=0))),
         ("transposed", "rows and columns have changed places", _on_array(_transposed)),
         ("only the first", "only the first of the results is returned", _first),
-    ):
+        ("only the first", "only the first of the results is returned", lambda _, v: v[:1]),
+        ("only the last", "only the last of the results is returned", lambda _, v: v[-1]),
+        ("one too few", "the last of the results is missing", lambda _, v: v[:-1]),
+        ("first left out", "the first of the results is missing", lambda _, v: v[1:]),
+        ("one too many", "there is one entry too many at the end", _on_array(_one_more_entry)),
+        ("sorted downwards", "the results were sorted", _on_array(_sorted_down)),
+        ("both axes reversed", "both axes are in the other order", _on_array(_turned)),
+        ("only the diagonal", "only the diagonal is returned", _on_array(_diagonal)),
+        ("off the diagonal", "everything off the diagonal is zero", _on_array(_only_diagonal)),
+        ("the largest", "only the largest of the results is returned", _on_array(np.max)),
+        ("the smallest", "only the smallest of the results is returned", _on_array(np.min)),
+        (
+            "where the largest is",
+            "it is returned where the largest result is, and not the results",
+            _on_array(np.argmax),
+        ),
+        (
+            "where the smallest is",
+            "it is returned where the smallest result is, and not the results",
+            _on_array(np.argmin),
+        ),
+        (
+            "the order of the results",
+            "it is returned in which order the results stand, and not the results",
+            _on_array(lambda x: np.argsort(-x, kind="stable")),
+        ),
+        (
+            "the order of the results",
+            "it is returned in which order the results stand, and not the results",
+            _on_array(lambda x: np.argsort(x, kind="stable")),
+        ),
+        ("whether, not how much", "it is returned whether there is something, not how much",
+         _on_array(lambda x: x > 0)),
+        ("the sum", "the results were added up", _on_array(np.sum)),
+        ("the mean", "the mean of the results is returned", _on_array(np.mean)),
+        ("counts for entries", "it is returned how many there are, and not which", _counts),
+        ("empty ones left out", "those without any entry were left out", _without_empty),
+        ("a row of ones and zeros for an index", "a row of ones and zeros stands for an index",
+         _one_hot),
+    ):  # fmt: skip
         yield told(name, sentence), change
     for relation in RELATIONS:
         diagnosis = Diagnosis(relation.name, relation.sentence)
-        yield diagnosis, _on_array(relation.change)
+        yield diagnosis, _deep(relation.change)
+    for place in range(max((len(cases[i]["args"]) for i in asked), default=0)):
+        words = "the entries themselves are returned, not where they stand"
+        yield told("entries for indices", words), _entries(place, None)
+        yield told("entries for indices", words), _entries(place, -1)
     yield (
         told("a sum for a mean", "a sum stands for a mean: divide by the number"),
         lambda case, value: _on_array(lambda x: x * _size(case))(case, value),
@@ -186,6 +360,71 @@ def _exchanged(_: Mapping[str, Any], value: Any) -> Any:
     if not (isinstance(value, list) and len(value) == 2):
         raise _NotForThis
     return value[::-1]
+
+
+def _deep(change: Callable[[Any], Any]) -> Change:
+    """A change of every number in a value, lists of unequal lengths included."""
+    whole = _on_array(change)
+
+    def changed(case: Mapping[str, Any], value: Any) -> Any:
+        if isinstance(value, list) and any(isinstance(entry, list) for entry in value):
+            return [changed(case, entry) if entry != [] else [] for entry in value]
+        return whole(case, value)
+
+    return changed
+
+
+def _entries(place: int, level: int | None) -> Change:
+    """The entries of an argument, or of one array in it, at the right indices."""
+
+    def changed(case: Mapping[str, Any], value: Any) -> Any:
+        argument = case["args"][place]
+        rows = np.asarray(argument if level is None else argument[level])
+        indices = np.asarray(value)
+        if indices.dtype.kind not in "iu":
+            raise _NotForThis
+        return rows[indices]
+
+    return changed
+
+
+def _one_more_entry(value: Any) -> Any:
+    return np.append(value, 0)
+
+
+def _sorted_down(value: Any) -> Any:
+    return np.sort(value, axis=0)[::-1]
+
+
+def _turned(value: Any) -> Any:
+    if value.ndim != 2:
+        raise _NotForThis
+    return value[::-1, ::-1]
+
+
+def _diagonal(value: Any) -> Any:
+    if value.ndim != 2:
+        raise _NotForThis
+    return np.diag(value)
+
+
+def _only_diagonal(value: Any) -> Any:
+    return np.diag(_diagonal(value))
+
+
+def _counts(_: Mapping[str, Any], value: Any) -> Any:
+    return [len(entry) for entry in value]
+
+
+def _without_empty(_: Mapping[str, Any], value: Any) -> Any:
+    return [entry for entry in value if len(entry)]
+
+
+def _one_hot(case: Mapping[str, Any], value: Any) -> Any:
+    indices = np.asarray(value)
+    if indices.dtype.kind not in "iu" or indices.ndim != 1 or len(case["args"]) < 2:
+        raise _NotForThis
+    return indices[:, None] == np.arange(len(case["args"][1]))
 
 
 def _transposed(value: Any) -> Any:

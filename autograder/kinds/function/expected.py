@@ -11,6 +11,7 @@ from autograder.course.loading import load_object
 from autograder.errors import CourseError
 from autograder.kinds.drawn import Drawn
 from autograder.kinds.function.answer import FunctionAnswer
+from autograder.kinds.function.hypotheses import Hypotheses
 from autograder.kinds.function.marking import Expected, close
 from autograder.kinds.function.question import Function
 from autograder.sandbox.inside.evaluate import evaluate
@@ -31,10 +32,13 @@ def draw(
     cases = load_object(answer.cases, root)(rng)
     _check_cases(question, cases)
     sent = {**base, "cases": [{"args": c["args"], "kwargs": c.get("kwargs", {})} for c in cases]}
+    reference = load_object(answer.reference, root)
+    compare = load_object(answer.compare, root) if answer.compare else close
     expected = Expected(
+        hypotheses=Hypotheses(reference, cases, compare, root),
         cases=cases,
         outcomes=_outcomes(answer.reference, sent, root),
-        compare=load_object(answer.compare, root) if answer.compare else close,
+        compare=compare,
         mistakes=[
             (mistake, _outcomes(mistake.function, sent, root)) for mistake in answer.alternatives
         ],

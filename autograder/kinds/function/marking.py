@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import builtins
+import zlib
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 
@@ -13,6 +15,7 @@ from autograder.exchange.reasons import REASONS
 from autograder.kinds.function.answer import FunctionAlternative, FunctionAnswer
 from autograder.kinds.function.credit import partial_credit
 from autograder.kinds.function.diagnosis import diagnose_function
+from autograder.kinds.function.hints import hint
 from autograder.kinds.function.question import Function
 from autograder.kinds.function.shown import shown_outcome
 from autograder.kinds.mark import NO_VALUE, Mark, Part, status_for
@@ -20,6 +23,15 @@ from autograder.marking.diagnosis.relations import Diagnosis
 
 Outcome = dict[str, Any]
 Compare = Callable[[dict[str, Any], Any, Any], bool]
+
+
+class Explains(Protocol):
+    """What knows how the reference behaves when it is changed a little."""
+
+    def explain(
+        self, right: Sequence[Outcome], outcomes: Sequence[Any], verdicts: Sequence[bool]
+    ) -> Diagnosis | None:
+        """The change with which the reference gives these outcomes, if there is one."""
 
 
 @dataclass(frozen=True)
@@ -35,6 +47,7 @@ class Expected:
     outcomes: Sequence[Outcome]
     compare: Compare
     mistakes: Sequence[tuple[FunctionAlternative, Sequence[Outcome]]]
+    hypotheses: Explains | None = None
 
 
 def mark_function(
@@ -110,11 +123,61 @@ def mark_function(
         feedback = f"It raises {name} on every input. Try it on a small example first."
         return Mark(question.id, "error", 0.0, question.points, feedback, **known)
     diagnosed = None
-    if (found := _diagnosis(expected, outcomes, verdicts)) is not None:
+    try:
+        found = _diagnosis(expected, outcomes, verdicts)
+    except Exception:  # what a student returned may be anything, and need not have a name
+        found = None
+    if found is not None:
         diagnosed, feedback = found.name, f"{found.sentence} {feedback}"
+        known["evidence"] = found.evidence
+    elif (seen := _smallest_seen(answer, expected, verdicts, tells)) is not None:
+        with suppress(Exception):  # what cannot be shown need not be
+            example = hint(question, expected.cases[seen], expected.outcomes[seen], outcomes[seen])
+            feedback = f"{feedback} For example: {example}"
+    if found is None:
+        with suppress(Exception):  # anything may be in it
+            known["evidence"] = fingerprint(outcomes)
     return Mark(
         question.id, status_for(credit), credit, question.points, feedback, diagnosed, **known
     )
+
+
+def _smallest_seen(
+    answer: FunctionAnswer, expected: Expected, verdicts: Sequence[bool], tells: bool
+) -> int | None:
+    """The smallest case that is wrong and whose input and result students may see.
+
+    What was returned for a public input after hidden ones had been sent could carry one of those
+    out, so that on a page of feedback only the first case is shown, which was asked alone.
+    """
+    seen = [i for i, case in enumerate(expected.cases) if case.get("public") and not verdicts[i]]
+    if not tells:
+        seen = [i for i in seen if i == 0 and answer.picture]
+    return min(seen, key=lambda i: _size(expected.cases[i]["args"]), default=None)
+
+
+def fingerprint(outcomes: Any) -> str:
+    """A word that is the same for responses with the same outcomes, to six digits.
+
+    Nameless responses of a class with one word have one mistake in common.
+    """
+    return f"outcomes {zlib.crc32(_rounded(outcomes).encode()):08x}"
+
+
+def _rounded(value: Any) -> str:
+    if isinstance(value, np.ndarray):
+        value = value.tolist()
+    if isinstance(value, dict):
+        return "".join(f"{key}:{_rounded(entry)}," for key, entry in sorted(value.items()))
+    if isinstance(value, list):
+        return "[" + ",".join(map(_rounded, value)) + "]"
+    return f"{value + 0.0:.6g}" if isinstance(value, int | float) else repr(value)[:80]
+
+
+def _size(value: Any) -> int:
+    if isinstance(value, np.ndarray):
+        return value.size
+    return sum(map(_size, value)) if isinstance(value, list) else 1
 
 
 def _diagnosis(
@@ -123,7 +186,15 @@ def _diagnosis(
     def same(case: Mapping[str, Any], changed: Any, value: Any) -> bool:
         return close({}, changed, value) or expected.compare(dict(case), changed, value)
 
-    return diagnose_function(expected.cases, expected.outcomes, outcomes, verdicts, same)
+    def counts_as_right(case: Mapping[str, Any], right: Any, value: Any) -> bool:
+        return expected.compare(dict(case), right, value)
+
+    found = diagnose_function(
+        expected.cases, expected.outcomes, outcomes, verdicts, same, counts_as_right
+    )
+    if found is None and expected.hypotheses is not None:
+        found = expected.hypotheses.explain(expected.outcomes, outcomes, verdicts)
+    return found
 
 
 def behaves_like(

@@ -6,13 +6,11 @@ from typing import Any
 
 import numpy as np
 
-from autograder.exchange.reasons import REASONS
+from autograder.kinds.function.hints import hint
 from autograder.kinds.function.marking import agrees, close
 from autograder.kinds.function.question import Function
 from autograder.kinds.mark import Mark, Part, stopped
 from autograder.kinds.snapshot import LATER
-
-_SHORT = 160  # characters of an input or a value that a hint may show
 
 
 def mark_snapshot(question: Function, snapshot: dict[str, Any], outcomes: list[Any]) -> Mark:
@@ -36,13 +34,14 @@ def mark_snapshot(question: Function, snapshot: dict[str, Any], outcomes: list[A
         return Mark(question.id, "right", 1.0, question.points, feedback, parts=parts)
     first = verdicts.index(False)
     failing = ", ".join(part.label for part in parts if not part.right)
-    hint = _hint(question, cases[first], outcomes[first])
+    case = cases[first]
+    example = hint(question, case, case["expected"], outcomes[first])
     if snapshot["forgiving"] and not any(map(_is_wrong, cases, outcomes)):
         feedback = (
-            f"Recorded. It differs from one right result, and may be right all the same. {hint}"
+            f"Recorded. It differs from one right result, and may be right all the same. {example}"
         )
         return stopped(question, "recorded", feedback)
-    feedback = f"Not yet right for: {failing}. {hint}"
+    feedback = f"Not yet right for: {failing}. {example}"
     return Mark(question.id, "wrong", 0.0, question.points, feedback, parts=parts)
 
 
@@ -65,34 +64,3 @@ def _alike(expected: Any, actual: Any) -> bool:
         finite = given.dtype.kind in "iuf" and bool(np.isfinite(given).all())
         return finite and right.ndim == given.ndim
     return isinstance(actual, type(expected))
-
-
-def _hint(question: Function, case: dict[str, Any], outcome: Any) -> str:
-    """One failing case, in numbers if they are few."""
-    arguments = [_shown(value) for value in case["args"]]
-    arguments += [f"{name}={_shown(value)}" for name, value in case.get("kwargs", {}).items()]
-    call = f"{question.name}({', '.join(arguments)})"
-    if isinstance(outcome, dict) and "raised" in outcome:
-        gave = f"raises {outcome['raised']}"
-    elif isinstance(outcome, dict) and "value" in outcome:
-        gave = f"gives {_shown(outcome['value'])}"
-    else:
-        reason = str(outcome.get("unusable")) if isinstance(outcome, dict) else ""
-        gave = f"cannot be used: {REASONS.get(reason, REASONS['not plain'])}"
-    expected = case["expected"]
-    right = _shown(expected["value"]) if "value" in expected else f"an {expected.get('raised')}"
-    if len(call) > _SHORT:
-        call = f"For {case['name']}, {question.name}"
-    return f"{call} {gave}; expected is {right}."
-
-
-def _shown(value: Any) -> str:
-    with np.printoptions(precision=6, suppress=True, threshold=20):
-        if isinstance(value, np.ndarray):
-            text = f"np.array({np.array2string(value, separator=', ')})"
-        elif isinstance(value, list) and all(isinstance(v, int | float) for v in value):
-            text = "[" + ", ".join(f"{v:.6g}" for v in value) + "]"
-        else:
-            text = f"{value:.8g}" if isinstance(value, float) else repr(value)
-    text = " ".join("".join(c if c.isprintable() else " " for c in text).split())
-    return text if len(text) <= _SHORT else text[: _SHORT - 1] + "…"

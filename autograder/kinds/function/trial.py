@@ -5,7 +5,7 @@ from __future__ import annotations
 import ast
 import math
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from pathlib import Path
 from types import FunctionType
 from typing import Any
@@ -17,7 +17,7 @@ from autograder.kinds.function.answer import FunctionAnswer
 from autograder.kinds.function.inside.evaluate import evaluate
 from autograder.kinds.function.marking import Outcome, agrees, close
 from autograder.marking.mutants.clones import reachable, tree_of, with_changed
-from autograder.marking.mutants.edits import begin_with, described, edited
+from autograder.marking.mutants.edits import MoreEdits, begin_with, described, edited
 from autograder.marking.mutants.limit import time_limit
 from autograder.marking.mutants.mutant import Mutant, Trial
 
@@ -52,7 +52,7 @@ class FunctionTrial(Trial):
         self._cheapest: list[int] = []  # the cases, those first that took least time with one seed
         self._seconds: dict[tuple[int, int], float] = {}  # that the reference took for a case
         others = {load_object(name, root) for name in proven} - {self._reference}
-        made = list(_mutants(self._reference, others, self._cases_of(0), root))
+        made = list(mutants_of(self._reference, others, self._cases_of(0), root))
         self.mutants = [mutant for mutant, _ in made]
         self.calls = [call for _, call in made]
 
@@ -108,9 +108,20 @@ def outcome_of(call: Call, case: dict[str, Any]) -> Outcome:
             return {"raised": "NotImplementedError"}
 
 
-def _mutants(
-    reference: Call, others: set[Call], cases: list[dict[str, Any]], root: Path
+def mutants_of(
+    reference: Call,
+    others: Collection[Call],
+    cases: list[dict[str, Any]],
+    root: Path,
+    more_edits: MoreEdits | None = None,
+    more_names: Mapping[str, Any] | None = None,
+    prepare: Callable[[ast.FunctionDef], ast.FunctionDef] = lambda tree: tree,
 ) -> Iterator[tuple[Mutant, Call]]:
+    """The mutants of a reference and of what it calls but ``others``, ready to be called.
+
+    ``more_edits`` are changes beyond those that a key is proven with; ``prepare`` makes each tree
+    ready, and ``more_names`` are what it then uses.
+    """
     if not isinstance(reference, FunctionType):
         return
     every = reachable(reference, root)
@@ -120,12 +131,16 @@ def _mutants(
         tree = tree_of(function)
         prefix = "" if function is reference else f"{function.__name__}: "
         # What a helper refuses is the helper's promise, not this question's.
-        trees = list(edited(tree, prefix, guards=function is reference))
+        trees = list(edited(tree, prefix, guards=function is reference, more=more_edits))
         if function is reference:
             trees += _with_arguments(tree, cases[0])
         for mutant, changed in trees:
-            more = {"_fixed_rng": lambda: np.random.default_rng(0), "_scaled": _scaled}
-            yield mutant, with_changed(reference, every, function, changed, more)
+            more = {
+                "_fixed_rng": lambda: np.random.default_rng(0),
+                "_scaled": _scaled,
+                **(more_names or {}),
+            }
+            yield mutant, with_changed(reference, every, function, prepare(changed), more)
     arguments = dict(zip(_names(tree_of(reference)), cases[0]["args"], strict=False))
     for name, value in {**arguments, **cases[0].get("kwargs", {})}.items():
         if isinstance(value, np.ndarray | list):

@@ -6,6 +6,7 @@ import itertools
 import math
 from collections.abc import Iterator
 from decimal import Decimal
+from functools import cache
 
 import numpy as np
 
@@ -48,7 +49,7 @@ def diagnose_number(
                     "different here?",
                 )
     found: dict[str, Diagnosis] = {}
-    for name, sentence, wrong in variations(answer.code, around.numbers):
+    for name, sentence, wrong in _known_variations(answer.code, tuple(around.numbers.items())):
         exactly = math.isclose(value, wrong, rel_tol=1e-9)
         near = _is_near(question, wrong, value) and not coarse
         if (exactly or near) and not _is_right(question, right, wrong):
@@ -67,6 +68,13 @@ def diagnose_number(
             if _is_near(question, wrong, value) and not _is_right(question, right, wrong):
                 return first.and_then(second)
     return None
+
+
+@cache
+def _known_variations(
+    code: str, numbers: tuple[tuple[str, float], ...]
+) -> tuple[tuple[str, str, float], ...]:
+    return tuple(variations(code, dict(numbers)))
 
 
 def _simple(question: Number, right: list[float]) -> Iterator[tuple[Diagnosis, float]]:

@@ -48,8 +48,10 @@ def mark_number(
             "That is not the value asked for. A hint may help: look at what each symbol counts."
         )
     name = None
+    known["evidence"] = f"value {value:.10g}"
     if (found := diagnose_number(question, answer, value, around)) is not None:
         name, feedback = found.name, found.sentence
+        known["evidence"] = found.evidence
     known["understood"] = known["understood"] or understood
     return Mark(question.id, "wrong", 0.0, question.points, feedback, name, **known)
 

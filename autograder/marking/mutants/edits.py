@@ -11,12 +11,14 @@ import ast
 import copy
 import difflib
 from collections.abc import Callable, Iterator
+from itertools import chain
 
 from autograder.marking.mutants.mutant import Mutant
 
 Function = ast.FunctionDef
 # What to do to a node of a copy of the tree; a new node stands in for it, None leaves it changed.
 Edit = Callable[[ast.AST], ast.AST | None]
+MoreEdits = Callable[[ast.AST], Iterator[tuple[str, Edit]]]
 
 _STRICTNESS: dict[type[ast.cmpop], type[ast.cmpop]] = {
     ast.Lt: ast.LtE,
@@ -36,9 +38,11 @@ _SIGN: dict[type[ast.operator], type[ast.operator]] = {ast.Add: ast.Sub, ast.Sub
 
 
 def edited(
-    function: Function, prefix: str = "", guards: bool = True
+    function: Function, prefix: str = "", guards: bool = True, more: MoreEdits | None = None
 ) -> Iterator[tuple[Mutant, Function]]:
     """Every mutant of a function, with its tree; ``prefix`` goes in front of each name.
+
+    ``more`` gives for a node further changes, with their operators.
 
     Without ``guards``, conditions that only lead to an exception are left as they are.
     """
@@ -51,7 +55,7 @@ def edited(
     for position, node in enumerate(original):
         if node in skipped:
             continue
-        for operator, edit in _edits(node):
+        for operator, edit in chain(_edits(node), more(node) if more else ()):
             tree = copy.deepcopy(function)
             _apply(tree, position, edit)
             if ast.dump(tree) in seen:

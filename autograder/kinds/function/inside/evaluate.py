@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from types import GeneratorType
 from typing import Any
 
 import numpy as np
@@ -9,6 +10,8 @@ import numpy as np
 from autograder.kinds.function.inside.counted_draws import CountedDraws
 from autograder.sandbox.inside.exceptions import tell
 from autograder.sandbox.inside.plain_data import Unusable, public_name, to_plain
+
+_LAZY = (GeneratorType, map, filter, zip, range, enumerate)  # nothing has been computed yet
 
 
 def evaluate(response: Any, probe: dict[str, Any]) -> dict[str, Any]:
@@ -28,7 +31,10 @@ def evaluate(response: Any, probe: dict[str, Any]) -> dict[str, Any]:
         arguments = [_argument(argument) for argument in case["args"]]
         keywords = {name: _argument(value) for name, value in case.get("kwargs", {}).items()}
         try:
-            outcome = {"value": to_plain(response(*arguments, **keywords))}
+            returned = response(*arguments, **keywords)
+            if type(returned) in _LAZY:
+                raise Unusable("lazy")
+            outcome = {"value": to_plain(returned)}
             given = [*arguments, *keywords.values()]
             if not _same(given, [*case["args"], *case.get("kwargs", {}).values()]):
                 outcome["changed"] = True

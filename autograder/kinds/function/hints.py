@@ -1,0 +1,45 @@
+"""One case that students may see, in numbers: what their function gives, and what is right."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from autograder.exchange.reasons import REASONS
+from autograder.kinds.function.question import Function
+
+_SHORT = 160  # characters of an input or a value that a hint may show
+
+
+def hint(
+    question: Function, case: Mapping[str, Any], expected: Mapping[str, Any], outcome: Any
+) -> str:
+    """One failing case, in numbers if they are few."""
+    arguments = [_shown(value) for value in case["args"]]
+    arguments += [f"{name}={_shown(value)}" for name, value in case.get("kwargs", {}).items()]
+    call = f"{question.name}({', '.join(arguments)})"
+    if isinstance(outcome, dict) and "raised" in outcome:
+        gave = f"raises {outcome['raised']}"
+    elif isinstance(outcome, dict) and "value" in outcome:
+        gave = f"gives {_shown(outcome['value'])}"
+    else:
+        reason = str(outcome.get("unusable")) if isinstance(outcome, dict) else ""
+        gave = f"cannot be used: {REASONS.get(reason, REASONS['not plain'])}"
+    right = _shown(expected["value"]) if "value" in expected else f"an {expected.get('raised')}"
+    if len(call) > _SHORT:
+        call = f"For {case['name']}, {question.name}"
+    return f"{call} {gave}; expected is {right}."
+
+
+def _shown(value: Any) -> str:
+    with np.printoptions(precision=6, suppress=True, threshold=20):
+        if isinstance(value, np.ndarray):
+            text = f"np.array({np.array2string(value, separator=', ')})"
+        elif isinstance(value, list) and all(isinstance(v, int | float) for v in value):
+            text = "[" + ", ".join(f"{v:.6g}" for v in value) + "]"
+        else:
+            text = f"{value:.8g}" if isinstance(value, float) else repr(value)
+    text = " ".join("".join(c if c.isprintable() else " " for c in text).split())
+    return text if len(text) <= _SHORT else text[: _SHORT - 1] + "…"

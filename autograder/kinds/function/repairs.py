@@ -1,0 +1,179 @@
+"""Values that are right but for their form: repaired, they are right by the question's own measure.
+
+A relation makes of what is right what was given. Where the key forgives more than equal numbers
+(indices in any order, a fit to six digits), only the other direction tells: what was given is
+repaired, and must then count as right.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any
+
+import numpy as np
+
+Case = Mapping[str, Any]
+Repair = Callable[[Case, Any, Any], Any]  # of a case, what is right, and what was given
+_PLACES = ("first", "second", "third", "fourth")
+_MOST_NUMBERS = 20_000
+
+
+class NotForThis(Exception):
+    """A repair has no meaning for a value."""
+
+
+def repairs() -> Iterator[tuple[str, str, Repair]]:
+    """Every repair: the name of what is wrong, what it looks like, and how it is put right."""
+    for name, words, repair in _OF_WHOLES:
+        yield name, words, repair
+    for name, words, repair in _OF_RESULTS:
+        for place, word in enumerate(_PLACES):
+            yield f"{name} ({word} result)", f"{words}, in the {word} result", _at(place, repair)
+    for name, words, repair in (*_OF_WHOLES[:2], *_OF_RESULTS):
+        yield f"{name}, in each", f"{words}, in each of the results", _in_each(repair)
+        for place, word in enumerate(_PLACES[:2]):
+            yield (
+                f"{name} ({word} of each)",
+                f"{words}, in the {word} part of each of the results",
+                _in_each(_at(place, repair)),
+            )
+    yield from _UNUSUAL
+
+
+def _other_order(_: Case, right: Any, given: Any) -> Any:
+    if not (isinstance(given, list) and len(given) == 2 and isinstance(right, list)):
+        raise NotForThis
+    return given[::-1]
+
+
+def _only_the_first(_: Case, right: Any, given: Any) -> Any:
+    if not (isinstance(right, list) and len(right) in (2, 3, 4)):
+        raise NotForThis
+    return [given, *right[1:]]
+
+
+def _reversed(_: Case, right: Any, given: Any) -> Any:
+    return given[::-1]
+
+
+def _in_shape(_: Case, right: Any, given: Any) -> Any:
+    array, wanted = np.asarray(given), np.asarray(right)
+    if array.dtype.kind not in "iufb" or array.shape == wanted.shape or array.size != wanted.size:
+        raise NotForThis
+    if array.size < 2 and array.ndim == 0 == wanted.ndim:
+        raise NotForThis
+    shaped = array.reshape(wanted.shape)
+    return shaped if isinstance(right, np.ndarray) else shaped.tolist()
+
+
+def _list_of_dict(_: Case, right: Any, given: Any) -> Any:
+    if not isinstance(given, dict) or isinstance(right, dict):
+        raise NotForThis
+    return list(given.values())
+
+
+def _of_text(_: Case, right: Any, given: Any) -> Any:
+    if isinstance(given, str) and isinstance(right, int | float):
+        return float(given)
+    raise NotForThis
+
+
+def _numbers(given: Any) -> np.ndarray:
+    array = np.asarray(given)
+    if array.dtype.kind not in "iuf" or array.size > _MOST_NUMBERS:
+        raise NotForThis
+    return array
+
+
+def _like(given: Any, made: np.ndarray) -> Any:
+    return made if isinstance(given, np.ndarray) else made.tolist()
+
+
+def _less_one(_: Case, right: Any, given: Any) -> Any:
+    return _like(given, _numbers(given) - 1)
+
+
+def _radians(_: Case, right: Any, given: Any) -> Any:
+    return _like(given, np.radians(_numbers(given)))
+
+
+def _negative(_: Case, right: Any, given: Any) -> Any:
+    return _like(given, -_numbers(given))
+
+
+def _of_mask(_: Case, right: Any, given: Any) -> Any:
+    mask = np.asarray(given)
+    if mask.dtype.kind != "b" or mask.ndim != 1:
+        raise NotForThis
+    return np.flatnonzero(mask)
+
+
+def _of_others(case: Case, right: Any, given: Any) -> Any:
+    array = _numbers(given)
+    count = len(case["args"][0])
+    if array.dtype.kind not in "iu" or array.ndim != 1 or not np.all(array < count):
+        raise NotForThis
+    return np.setdiff1d(np.arange(count), array)
+
+
+def _of_entries(case: Case, right: Any, given: Any) -> Any:
+    """The indices of entries of the first argument."""
+    entries, rows = np.asarray(case["args"][0]), np.asarray(given)
+    if entries.ndim < 1 or rows.ndim != entries.ndim or rows.shape[1:] != entries.shape[1:]:
+        raise NotForThis
+    if rows.size * len(entries) > 50 * _MOST_NUMBERS:
+        raise NotForThis
+    same = (rows[:, None] == entries[None]).reshape(len(rows), len(entries), -1).all(axis=2)
+    if not same.any(axis=1).all():
+        raise NotForThis
+    return np.flatnonzero(same.any(axis=0))
+
+
+def _of_count(_: Case, right: Any, given: Any) -> Any:
+    if isinstance(given, bool | list | np.ndarray) or given != len(right):
+        raise NotForThis
+    return right
+
+
+def _at(place: int, repair: Repair) -> Repair:
+    def repaired(case: Case, right: Any, given: Any) -> Any:
+        if not (isinstance(given, list) and place < len(given) == len(right) <= len(_PLACES)):
+            raise NotForThis
+        mended = repair(case, right[place], given[place])
+        return [*given[:place], mended, *given[place + 1 :]]
+
+    return repaired
+
+
+def _in_each(repair: Repair) -> Repair:
+    def repaired(case: Case, right: Any, given: Any) -> Any:
+        if not (isinstance(given, list) and isinstance(right, list) and len(given) == len(right)):
+            raise NotForThis
+        pairs = zip(right, given, strict=True)
+        return [repair(case, wanted, entry) for wanted, entry in pairs]
+
+    return repaired
+
+
+_OF_WHOLES: tuple[tuple[str, str, Repair], ...] = (
+    ("other order", "two results are returned in the other order", _other_order),
+    ("only the first", "only the first of the results is returned", _only_the_first),
+    ("reversed", "the results stand in reverse order", _reversed),
+    ("wrong shape", "the numbers are right and their shape is not the one asked for", _in_shape),
+    ("a dictionary for a list", "a dictionary is returned in place of a list", _list_of_dict),
+    ("a text for a number", "a text is returned in place of a number", _of_text),
+)
+_OF_RESULTS: tuple[tuple[str, str, Repair], ...] = (
+    ("mask for indices", "a mask is returned and not indices", _of_mask),
+    ("points for indices", "the entries themselves are returned, not their indices", _of_entries),
+    ("a count for indices", "it is returned how many there are, and not which", _of_count),
+    ("the others", "exactly those are returned that are not asked for", _of_others),
+    ("one more", "the count begins or ends one too late", _less_one),
+    ("degrees", "an angle is in degrees; radians are asked for", _radians),
+    ("sign turned", "the sign is turned round", _negative),
+)
+_UNUSUAL: tuple[tuple[str, str, Repair], ...] = (
+    *_OF_RESULTS[:2],
+    ("a count for indices", *_OF_RESULTS[2][1:]),
+    ("the others", *_OF_RESULTS[3][1:]),
+)
