@@ -203,3 +203,21 @@ def test_partial_credit_of_the_tiny_course(marker):
         "partial", 0.25, 0.5, "added",
     )  # fmt: skip
     assert mark.understood == "7 eggs"
+
+
+def test_a_value_at_the_very_edge_of_a_tolerance_is_within_it():
+    assert mark(2.5, answer_of((2.0, 1.0), tolerance=0.5), decimals=2).credit == 1.0
+
+
+def test_a_wrong_value_that_relates_to_the_right_one_is_named_by_how():
+    verdict = mark(-12.25, answer_of((12.25, 1.0)), decimals=2)
+    assert (verdict.status, verdict.credit) == ("wrong", 0.0)
+    assert verdict.alternative == "sign turned"
+    assert verdict.feedback.startswith("It looks as if")
+    assert "sign" in verdict.feedback
+
+
+def test_only_where_a_whole_number_is_asked_for_is_one_asked_for():
+    verdict = mark(7.77, answer_of((12.25, 1.0)), decimals=2)
+    assert verdict.alternative is None
+    assert "whole number" not in verdict.feedback
