@@ -7,7 +7,7 @@ import secrets
 import signal
 import threading
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import AbstractContextManager, contextmanager, nullcontext
 from dataclasses import replace
 from importlib.util import find_spec
@@ -17,19 +17,20 @@ from rich.console import Console
 
 from autograder.cli.common import print_json
 from autograder.cli.status import BROKEN, DONE, INTERRUPTED
+from autograder.cli.tally import Tally
 from autograder.course import Course
 from autograder.errors import CourseError
-from autograder.gradebook import Gradebook, Record, Run, view_class
-from autograder.gradebook.changes import Change, changes
+from autograder.gradebook import ClassView, Gradebook, Record, Run, view_class
 from autograder.grading.graded import Graded
-from autograder.grading.journal import STOPPED_THE_GRADER, Journal
+from autograder.grading.journal import Journal
 from autograder.grading.own_numbers import compare_numbers
 from autograder.grading.spread import Spread
 from autograder.grading.threads import Threads
 from autograder.grading.whole_class import grade_class
+from autograder.intake.shelf import Shelf
 from autograder.intake.submissions import Submission
 from autograder.intake.summary import Summary
-from autograder.intake.times import changed_since, snapshot
+from autograder.intake.times import changed_since, snapshot_class
 from autograder.marking.marker import Marker
 from autograder.reports.machine import change_fields, record_fields
 from autograder.reports.pictures import Pictures
@@ -37,6 +38,7 @@ from autograder.reports.terminal import print_changes, print_table, progress_bar
 from autograder.reports.write import Options, write_reports
 from autograder.sandbox.launcher import NO_SANDBOX, Isolation, isolation_text
 
+MOST_IN_A_TABLE = 500  # students
 ON_A_CLUSTER = "unknown, on a cluster that has not answered yet"
 
 
@@ -51,36 +53,35 @@ def grade_and_report(
     """Grade, show what changed, and (unless it is a dry run) keep it and write the reports."""
     # What is broken is said before anything runs.
     class_list = summary.class_list
-    submissions = [row.submission for row in summary.rows]
+    submissions = Shelf(Submission, (row.submission for row in summary.rows))
     Pictures(course)
     _require_packages(course)
     questions = frozenset(course.question(id).id for id in parsed.question or ()) or None
-    # The times count as they were before any student code ran.
-    lateness = {row.submission.student: row.lateness() for row in summary.rows}
-    before = {record.student: record for record in book.records()}
     isolation: Isolation = "none" if parsed.no_sandbox else "auto"
     run = _choose_run(parsed, course, book, regrade, isolation)
     marker = Marker(course, run.seed, tells=False)
     known = None
     if questions is None and not parsed.dry_run:
-        known = _known(book, run, course, submissions)
-    graded: list[Graded] = []
+        known = _known(book, run, course)
+    tally = Tally(book)
     if parsed.no_sandbox:
         warn("Student code runs with your own rights (--no-sandbox); every report says so.")
-    people = {row.submission.student: row.match.people for row in summary.rows}
-    works = book.works() if parsed.dry_run else book.note_works()
-    handed_in = snapshot([piece.path for entry in submissions for piece in entry.pieces])
+    people = {row.submission.student: row.match.people for row in summary.rows if row.match.people}
+    if not parsed.dry_run:
+        book.note_works()
+    # As it was before any student code ran; so are the times in the summary.
+    handed_in = snapshot_class(piece.path for entry in submissions for piece in entry.pieces)
     began = time.monotonic()
     interrupted = False
     with progress_bar() as progress:
         task = progress.add_task("", total=len(submissions))
 
         def done(entry: Graded) -> None:
-            entry = compare_numbers(entry, course, people[entry.submission.student])
-            graded.append(entry)
+            entry = compare_numbers(entry, course, people.get(entry.submission.student, ()))
+            tally.add(entry)
             if not parsed.dry_run:
                 book.store(entry, run, whole=questions is None)
-            rate = len(graded) / (time.monotonic() - began)
+            rate = tally.count / (time.monotonic() - began)
             said = ", ".join(filter(None, [spread.describe(), f"{rate:.1f} a second"]))
             progress.update(task, advance=1, description=said)
 
@@ -95,51 +96,49 @@ def grade_and_report(
         with spread:
             try:
                 with _journal(parsed, book, regrade) as journal, _ended_orderly():
-                    grade_class(submissions, course, spread, done, questions, known, journal, works)
+                    grade_class(
+                        submissions, course, spread, done, questions, known, journal, book.works
+                    )
             except KeyboardInterrupt:
                 interrupted = True
             finally:
                 if spread.isolation and not parsed.dry_run:
                     run = book.note_isolation(run, spread.isolation)
     if interrupted:
-        return _after_interruption(parsed, console, course, book, summary, graded)
-    _look_again(summary, graded, handed_in)
-    changed = changes(before, graded)
+        return _after_interruption(parsed, console, course, book, summary, tally)
+    _look_again(summary, tally, handed_in)
     if parsed.dry_run:
-        _tell_dry_run(parsed, console, before, changed, len(graded))
+        _tell_dry_run(parsed, console, tally)
         return DONE
     book.finish_run(run, time.monotonic() - began)
     if parsed.explanations is not None:
         book.set("explanations", "yes" if parsed.explanations else "no")
-    students = {submission.student for submission in submissions}
-    book.set_lateness(lateness)
-    view = view_class(course, book, class_list)
+    book.set_lateness((row.submission.student, row.lateness()) for row in summary.rows)
+    view = view_class(course, book, class_list, streamed=True)
     summary.missing = tuple(view.missing)
     book.set("intake", summary.sentence())
-    options = Options(parsed.out, students, class_list)
-    written = write_reports(course, book, options, console)
+    written = write_reports(course, book, Options(parsed.out, None, class_list), console)
     ended = BROKEN if parsed.strict and summary.needs_person else DONE
-    records = [record for record in view.records if record.student in students]
     if parsed.json:
+        records = _records(view, tally)
         print_json(
             {
                 "gradebook": str(book.path),
                 "run": {"id": run.id, "seed": run.seed, "isolation": run.isolation},
                 "students": [record_fields(course, record) for record in records],
-                "changed": [change_fields(change) for change in changed],
+                "changed": [change_fields(change) for change in tally.changes()],
                 "intake": summary.to_dict(),
             }
         )
         return ended
     for remark in summary.remarks():
         warn(remark)
-    if console.is_terminal:
-        print_table(console, course, records)
-    if changed and console.is_terminal:
-        print_changes(console, before, changed)
-    elif changed:
-        students = {change.student for change in changed}
-        console.print(f"{len(changed)} marks of {len(students)} students changed.")
+    if console.is_terminal and tally.count <= MOST_IN_A_TABLE:
+        print_table(console, course, _records(view, tally))
+    if tally.changed and console.is_terminal:
+        print_changes(console, tally.earned, tally.changes())
+    elif tally.changed:
+        console.print(f"{len(tally.changed)} marks of {len(tally.earned)} students changed.")
     said = f" (read as {'; '.join(summary.rules)})" if summary.rules else ""
     console.print(f"{summary.sentence()}{said}; {written}.", soft_wrap=True, markup=False)
     return ended
@@ -174,31 +173,32 @@ def _ended_orderly() -> Iterator[None]:
             signal.signal(number, handler)
 
 
-def _known(
-    book: Gradebook, run: Run, course: Course, submissions: list[Submission]
-) -> Callable[[str, str], Graded | None]:
-    """What was graded before, with where it comes from now."""
-    by_student = {submission.student: submission for submission in submissions}
+def _records(view: ClassView, tally: Tally) -> list[Record]:
+    """Those whose work was graded in this run."""
+    students = set(tally.students)
+    return [record for record in view.records if record.student in students]
 
-    def known(student: str, fingerprint: str) -> Graded | None:
-        found = book.find(student, fingerprint, run, course.questions.keys())
-        return None if found is None else replace(found, submission=by_student[student])
+
+def _known(book: Gradebook, run: Run, course: Course) -> Callable[[Submission, str], Graded | None]:
+    """What was graded before, with where it comes from now."""
+
+    def known(submission: Submission, fingerprint: str) -> Graded | None:
+        found = book.find(submission.student, fingerprint, run, course.questions.keys())
+        return None if found is None else replace(found, submission=submission)
 
     return known
 
 
 def _look_again(
-    summary: Summary, graded: list[Graded], handed_in: dict[Path, tuple[int, int]]
+    summary: Summary, tally: Tally, handed_in: Sequence[tuple[Path, tuple[int, int]]]
 ) -> None:
     """After the run: what could not be read, and which files are no longer as they were."""
-    summary.unreadable = frozenset(
-        entry.submission.student for entry in graded if entry.status == "unreadable"
-    )
-    stopped = [entry.submission.student for entry in graded if STOPPED_THE_GRADER in entry.notes]
-    if stopped:
+    summary.unreadable = frozenset(tally.unreadable)
+    if tally.passed_by:
         summary.warnings.append(
-            f"The work of {', '.join(stopped)} stopped the grader twice and was passed by; mark it "
-            "by hand. After a change of the autograder, `autograder regrade` tries it again."
+            f"The work of {', '.join(tally.passed_by)} stopped the grader twice and was passed "
+            "by; mark it by hand. After a change of the autograder, `autograder regrade` tries it "
+            "again."
         )
     altered = changed_since(handed_in)
     if altered:
@@ -215,20 +215,20 @@ def _after_interruption(
     course: Course,
     book: Gradebook,
     summary: Summary,
-    graded: list[Graded],
+    tally: Tally,
 ) -> int:
     """Write the reports of what is done, and say how to go on."""
     count = len(summary.rows)
-    if graded and not parsed.dry_run:
-        students = {entry.submission.student for entry in graded}
-        rows = [row for row in summary.rows if row.submission.student in students]
-        book.set_lateness({row.submission.student: row.lateness() for row in rows})
+    if tally.count and not parsed.dry_run:
+        students = set(tally.students)
+        rows = (row for row in summary.rows if row.submission.student in students)
+        book.set_lateness((row.submission.student, row.lateness()) for row in rows)
         options = Options(parsed.out, students, summary.class_list)
         write_reports(course, book, options, console)
         kept = "their reports are written; run it again to go on"
     else:
         kept = "nothing was written"
-    warn(f"Stopped: {len(graded)} of {count} were graded; {kept}.")
+    warn(f"Stopped: {tally.count} of {count} were graded; {kept}.")
     return INTERRUPTED
 
 
@@ -274,12 +274,11 @@ def _choose_run(
 def _tell_dry_run(
     parsed: argparse.Namespace,
     console: Console,
-    before: dict[str, Record],
-    changed: list[Change],
-    count: int,
+    tally: Tally,
 ) -> None:
+    changed = tally.changes()
     if parsed.json:
         print_json({"dry_run": True, "changed": [change_fields(change) for change in changed]})
         return
-    print_changes(console, before, changed)
-    console.print(f"{count} graded on trial; nothing was written.")
+    print_changes(console, tally.earned, changed)
+    console.print(f"{tally.count} graded on trial; nothing was written.")

@@ -3,11 +3,16 @@
 from __future__ import annotations
 
 import argparse
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
 
 from rich.console import Console
 
 from autograder.cli.common import Commands, add_grading, find_class_list, gradebook_path, load
 from autograder.errors import UsageError
+
+if TYPE_CHECKING:
+    from autograder.gradebook import Record
 
 
 def add(commands: Commands) -> None:
@@ -26,29 +31,30 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
     """Grade again what the gradebook knows; work that has gone keeps its marks, and is named."""
     from autograder.cli.grading_run import grade_and_report
     from autograder.cli.taking_in import settle
-    from autograder.gradebook import Gradebook, find_record
+    from autograder.gradebook import Gradebook, find_record, view_class
     from autograder.gradebook.view import with_people
+    from autograder.intake.shelf import Shelf
+    from autograder.intake.submissions import Submission
     from autograder.reports.terminal import warn
 
     course = load(parsed)
     assert course.key  # a broken key is said before anything runs
     with Gradebook(gradebook_path(parsed), create=False) as book:
         class_list = find_class_list(parsed, book)
-        records, _ = with_people(book.records(), class_list)
-        chosen = (
-            [find_record(records, student) for student in parsed.students]
-            if parsed.students
-            else records
-        )
+        chosen: Iterable[Record] = view_class(course, book, class_list, streamed=True).records
+        if parsed.students:
+            records, _ = with_people(book.records(), class_list)
+            chosen = [find_record(records, student) for student in parsed.students]
+        remaining: Shelf[Submission] = Shelf(Submission)
         for record in chosen:
-            if not record.graded.submission.path.exists():
+            submission = record.graded.submission
+            if submission.path.exists():
+                remaining.append(submission)
+            else:
                 warn(
-                    f"The work of {record.name} is no longer at "
-                    f"{record.graded.submission.path}; its marks stay as they are."
+                    f"The work of {record.name} is no longer at {submission.path}; "
+                    "its marks stay as they are."
                 )
-        remaining = [
-            record.graded.submission for record in chosen if record.graded.submission.path.exists()
-        ]
         if not remaining:
             raise UsageError("There is nothing to grade again; run `autograder grade PATH`.")
         summary = settle(parsed, class_list, remaining, book)

@@ -81,12 +81,10 @@ def unreadable_students(course: Course, summary: Summary) -> frozenset[str]:
 
 
 def _known_keys(book: Gradebook) -> dict[tuple[str, str], str]:
-    known = {}
-    for record in book.records():
-        origin = record.origin
-        prefix = origin.prefix or record.graded.submission.path.name
-        known[origin.layout, prefix] = record.student
-    return known
+    return {
+        (origin.layout, origin.prefix or path.name): student
+        for student, path, origin in book.origins()
+    }
 
 
 def _times(parsed: argparse.Namespace, class_list: ClassList) -> dict[str, datetime]:

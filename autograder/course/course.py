@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import hashlib
 import json
 import os
@@ -14,7 +15,7 @@ from typing import Any
 
 from autograder.course.answers import Answer, answer_from_table
 from autograder.course.questions import Question, Written
-from autograder.errors import CourseError, UsageError
+from autograder.errors import AutograderError, CourseError, UsageError, machine_error
 from autograder.kinds.registry import load_kind
 from autograder.kinds.strict import Place
 from autograder.kinds.variables import Variables, read_variables
@@ -244,13 +245,16 @@ class Course:
 
 
 def _digest_file(path: Path, update: Callable[[bytes], object]) -> None:
-    with path.open("rb") as file:
-        size = file.seek(0, os.SEEK_END)
-        file.seek(0)
-        update(f"{size}\0".encode())
-        update(file.read(_LARGE_FILE // 2))
-        file.seek(max(_LARGE_FILE // 2, size - _LARGE_FILE // 2))
-        update(file.read(_LARGE_FILE // 2))
+    try:
+        with path.open("rb") as file:
+            size = file.seek(0, os.SEEK_END)
+            file.seek(0)
+            update(f"{size}\0".encode())
+            update(file.read(_LARGE_FILE // 2))
+            file.seek(max(_LARGE_FILE // 2, size - _LARGE_FILE // 2))
+            update(file.read(_LARGE_FILE // 2))
+    except OSError as error:
+        raise _unreadable(path, error) from None
 
 
 def find_course_root(start: Path | None = None) -> Path:
@@ -376,6 +380,16 @@ def _read_toml(path: Path, missing: str) -> tuple[str, dict[str, Any]]:
         raise CourseError(f"{path} is missing; {missing}.") from None
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
         raise CourseError(f"{path} cannot be read: {error}.") from None
+    except OSError as error:
+        raise _unreadable(path, error) from None
+
+
+def _unreadable(path: Path, error: OSError) -> AutograderError:
+    """What keeps a file of the course from being read: this machine, its permissions, its kind."""
+    said = CourseError(
+        f"{path} cannot be read ({error.strerror or error}); make it a file that you may read."
+    )
+    return said if error.errno in (errno.EACCES, errno.EPERM) else machine_error(error) or said
 
 
 def _read_tool_table(root: Path) -> dict[str, Any]:

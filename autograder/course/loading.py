@@ -24,7 +24,7 @@ def load_object(dotted_name: str, root: Path) -> Callable[..., Any]:
     try:
         loaded: Callable[..., Any] = getattr(importlib.import_module(module_name), name)
         return loaded
-    except (ImportError, AttributeError, ValueError) as error:
+    except (ImportError, AttributeError, ValueError, SyntaxError, OSError) as error:
         raise CourseError(
             f"The key names {dotted_name!r}, which cannot be loaded: {error}."
         ) from error

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from autograder.exchange.printable import printable
 from autograder.exchange.reasons import REASONS
 from autograder.exchange.responses import keep_response
 
@@ -80,7 +81,7 @@ def clean_text(text: Any, limit: int = _MAX_TEXT) -> str:
     """One printable line without control characters or halves of characters."""
     if not isinstance(text, str):
         return ""
-    line = "".join(c if c.isprintable() else " " for c in text[: 2 * limit])
+    line = printable(text[: 2 * limit], " ")
     return " ".join(line.split())[:limit]
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import sqlite3
-from collections.abc import Collection, Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime
@@ -20,7 +20,7 @@ from autograder.intake.submissions import Submission
 from autograder.marking import Mark
 from autograder.marking.draw import set_number
 
-_WORKS = "works"
+_WORKS = "works of "  # a student
 
 
 @dataclass(frozen=True)
@@ -170,27 +170,51 @@ class Gradebook:
             submission = Submission(student, path_from_text(path), origin=_origin(origin))
             return Graded(submission, status, fingerprint, marks, tuple(json.loads(notes)), seconds)
 
-    def works(self) -> dict[str, list[str]]:
-        """The fingerprints of what each student handed in until now, in the order it first came."""
-        with readable_entries(self.path):
-            found = {
-                key: list(value) for key, value in json.loads(self.setting(_WORKS) or "{}").items()
-            }
-        for student, fingerprint in self._rows(
-            "SELECT student, fingerprint FROM (SELECT student, fingerprint, 0 AS now, id "
-            "FROM attempt UNION ALL SELECT student, fingerprint, 1, 0 FROM submission) "
-            "WHERE fingerprint != '' ORDER BY now, id"
-        ):
-            known = found.setdefault(student, [])
-            if fingerprint not in known:
-                known.append(fingerprint)
+    def works(self, student: str) -> list[str]:
+        """The fingerprints of what a student handed in until now, in the order they first came."""
+        return self._works_of([student]).get(student, [])
+
+    def note_works(self) -> None:
+        """From now on the order of everybody's `works` stays, whatever comes back."""
+        for several in _in_turns(self.students()):
+            noted = self._noted_works(several)
+            found = self._works_of(several)
+            with self._transaction() as db:
+                db.executemany(
+                    "INSERT OR REPLACE INTO setting VALUES (?, ?)",
+                    [
+                        (_WORKS + student, json.dumps(works))
+                        for student, works in found.items()
+                        if works != noted.get(student)
+                    ],
+                )
+
+    def _works_of(self, students: Sequence[str]) -> dict[str, list[str]]:
+        found: dict[str, list[str]] = {}
+        for several in _in_turns(students):
+            found |= self._works_of_several(several)
         return found
 
-    def note_works(self) -> dict[str, list[str]]:
-        """As `works`; from now on their order stays, whatever comes back."""
-        found = self.works()
-        self.set(_WORKS, json.dumps(found))
+    def _works_of_several(self, students: Sequence[str]) -> dict[str, list[str]]:
+        found = self._noted_works(students)
+        among = f"fingerprint != '' AND student IN ({', '.join('?' * len(students))})"
+        for table, order in (("attempt", "id"), ("submission", "student")):
+            for student, fingerprint in self._rows(
+                f"SELECT student, fingerprint FROM {table} WHERE {among} ORDER BY {order}",
+                tuple(students),
+            ):
+                known = found.setdefault(student, [])
+                if fingerprint not in known:
+                    known.append(fingerprint)
         return found
+
+    def _noted_works(self, students: Sequence[str]) -> dict[str, list[str]]:
+        rows = self._rows(
+            f"SELECT name, value FROM setting WHERE name IN ({', '.join('?' * len(students))})",
+            tuple(_WORKS + student for student in students),
+        )
+        with readable_entries(self.path):
+            return {name.removeprefix(_WORKS): list(json.loads(value)) for name, value in rows}
 
     def records(self) -> list[Record]:
         """Everything about every student, by name, as of one moment."""
@@ -201,6 +225,28 @@ class Gradebook:
             finally:
                 self._db.execute("COMMIT")
 
+    def students(self) -> list[str]:
+        """The keys of all students, in their order."""
+        return [row[0] for row in self._rows("SELECT student FROM submission ORDER BY student")]
+
+    def records_of(self, students: Sequence[str]) -> list[Record]:
+        """Everything about some hundred students at most, in their order; absent ones are not."""
+        with readable_errors(self.path), readable_entries(self.path):
+            return self._read_records(students)
+
+    def origins(self) -> Iterator[tuple[str, Path, Origin]]:
+        """The key of every student, the path of the work and where it comes from, by name."""
+        last = None
+        while rows := self._rows(
+            "SELECT student, path, origin FROM submission WHERE ?1 IS NULL OR student > ?1 "
+            "ORDER BY student LIMIT 500",
+            (last,),
+        ):
+            with readable_entries(self.path):
+                found = [(key, path_from_text(path), _origin(text)) for key, path, text in rows]
+            yield from found
+            last = rows[-1][0]
+
     def record(self, student: str) -> Record:
         """Everything about one student, by key; upper and lower case do not matter.
 
@@ -209,11 +255,14 @@ class Gradebook:
         """
         return find_record(self.records(), student)
 
-    def _read_records(self) -> list[Record]:
-        marks = self._marks()
+    def _read_records(self, students: Sequence[str] | None = None) -> list[Record]:
+        chosen, names = "", tuple(students or ())
+        if students is not None:
+            chosen = f"WHERE student IN ({', '.join('?' * len(names))})"
+        marks = self._marks(chosen, names)
         overrides: dict[str, dict[str, Override]] = {}
         disputes: dict[str, dict[str, tuple[Override, ...]]] = {}
-        for entry, disputed in self._overrides():
+        for entry, disputed in self._overrides(chosen, names):
             counting = overrides.setdefault(entry.student, {})
             disputed_ones = disputes.setdefault(entry.student, {})
             before = counting.pop(entry.question, None)
@@ -225,21 +274,23 @@ class Gradebook:
             if entry.points is not None:
                 counting[entry.question] = entry
         notes: dict[str, list[Note]] = {}
-        for note in self.notes():
+        for note in self._notes(chosen, names):
             notes.setdefault(note.student, []).append(note)
         attempts: dict[str, list[Attempt]] = {}
         for student, *fields, text in self._rows(
             "SELECT student, handed_in, late_percent, replaced_at, fingerprint, marks "
-            "FROM attempt ORDER BY id"
+            f"FROM attempt {chosen} ORDER BY id",
+            names,
         ):
             past = tuple(Mark.from_dict(mark) for mark in json.loads(text))
             attempts.setdefault(student, []).append(Attempt(past, *fields))
         rows = self._rows(
             "SELECT student, path, fingerprint, status, notes, submission.seconds, origin, run, "
             "seed, handed_in, late_days, late_percent, isolation, course_version "
-            "FROM submission JOIN run ON run.id = submission.run ORDER BY student"
+            f"FROM submission JOIN run ON run.id = submission.run {chosen} ORDER BY student",
+            names,
         )
-        found, works = [], self.works()
+        found, works = [], self._works_of([row[0] for row in rows])
         for student, path, fingerprint, status, odd, seconds, origin, run, seed, *rest in rows:
             number = set_number(student, fingerprint, works.get(student, ()))
             handed_in, late_days, late_percent, isolation, version = rest
@@ -363,10 +414,13 @@ class Gradebook:
                 ],
             )
 
-    def _overrides(self) -> Iterator[tuple[Override, bool]]:
+    def _overrides(
+        self, where: str = "", values: tuple[Any, ...] = ()
+    ) -> Iterator[tuple[Override, bool]]:
         for row in self._rows(
             "SELECT student, question, points, reason, made_at, author, levels, response, disputed "
-            "FROM override ORDER BY id"
+            f"FROM override {where} ORDER BY id",
+            values,
         ):
             student, question, points, reason, made_at, author, levels, response, disputed = row
             with readable_entries(self.path):
@@ -376,22 +430,30 @@ class Gradebook:
 
     def notes(self) -> list[Note]:
         """Every remark, oldest first."""
-        return [
-            Note(*row)
-            for row in self._rows("SELECT student, text, made_at, author FROM note ORDER BY id")
-        ]
+        return self._notes()
+
+    def _notes(self, where: str = "", values: tuple[Any, ...] = ()) -> list[Note]:
+        rows = self._rows(
+            f"SELECT student, text, made_at, author FROM note {where} ORDER BY id", values
+        )
+        return [Note(*row) for row in rows]
 
     def note(self, student: str, text: str, author: str = "") -> None:
         """Add a remark about a student."""
         self.add([], [Note(student, text, _now(), author)])
 
-    def set_lateness(self, late: Mapping[str, tuple[str | None, int, float]]) -> None:
+    def set_lateness(
+        self,
+        late: Mapping[str, tuple[str | None, int, float]]
+        | Iterable[tuple[str, tuple[str | None, int, float]]],
+    ) -> None:
         """Write for each student when it was handed in, the days late and the percent they cost."""
+        entries = late.items() if isinstance(late, Mapping) else late
         with self._transaction() as db:
             db.executemany(
                 "UPDATE submission SET handed_in = ?, late_days = ?, late_percent = ? "
                 "WHERE student = ?",
-                [(*values, student) for student, values in late.items()],
+                ((*values, student) for student, values in entries),
             )
 
     def setting(self, name: str) -> str | None:
@@ -436,6 +498,12 @@ def _keep_attempt(db: sqlite3.Connection, graded: Graded) -> None:
             _now(),
         ),
     )
+
+
+def _in_turns(students: Sequence[str]) -> Iterator[Sequence[str]]:
+    """As many at once as SQLite takes in one question."""
+    for start in range(0, len(students), 250):
+        yield students[start : start + 250]
 
 
 def _now() -> str:

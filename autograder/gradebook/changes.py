@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 from autograder.gradebook.record import Record
@@ -26,24 +25,17 @@ class Change:
         return 0.0 if self.overridden else round(self.after.points - self.before.points, 2)
 
 
-def changes(before: Mapping[str, Record], graded: Iterable[Graded]) -> list[Change]:
-    """The marks that differ in points, status or the alternative that matched, by student.
+def changes_of(before: Record, graded: Graded) -> list[Change]:
+    """The marks of a student that differ in points, status or the alternative that matched.
 
-    A student or a question that had no mark before is no change.
+    A question that had no mark before is no change.
     """
-    found = []
-    for entry in sorted(graded, key=lambda entry: entry.submission.student):
-        record = before.get(entry.submission.student)
-        if record is None:
-            continue
-        old_marks = record.marks
-        for new in entry.marks:
-            old = old_marks.get(new.question)
-            if old is not None and _verdict(old) != _verdict(new):
-                found.append(
-                    Change(record.student, new.question, old, new, new.question in record.overrides)
-                )
-    return found
+    old_marks = before.marks
+    return [
+        Change(before.student, new.question, old, new, new.question in before.overrides)
+        for new in graded.marks
+        if (old := old_marks.get(new.question)) is not None and _verdict(old) != _verdict(new)
+    ]
 
 
 def _verdict(mark: Mark) -> tuple[object, ...]:

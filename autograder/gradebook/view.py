@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from autograder.course import Course
@@ -10,6 +10,7 @@ from autograder.gradebook.book import Gradebook
 from autograder.gradebook.read_scheme import read_scheme
 from autograder.gradebook.record import Record
 from autograder.gradebook.scheme import Scheme, plain_scheme
+from autograder.gradebook.stored_records import StoredRecords
 from autograder.intake.class_list import ClassList
 from autograder.intake.matching import Match
 from autograder.intake.person import Person
@@ -26,14 +27,14 @@ class ClassView:
 
     course: Course
     scheme: Scheme
-    records: tuple[Record, ...]
+    records: Sequence[Record]
     class_list: ClassList
     matches: dict[str, Match]
 
     @property
     def missing(self) -> list[Person]:
         """Those of the class list who handed in nothing that is certainly theirs."""
-        found = {person for record in self.records for person in record.people}
+        found = {person for match in self.matches.values() for person in match.people}
         return [person for person in self.class_list.students if person not in found]
 
     @property
@@ -55,20 +56,41 @@ def view_class(
     class_list: ClassList,
     proposed: str | None = None,
     where: str = "the grading.toml that was accepted",
+    streamed: bool = False,
 ) -> ClassView:
     """Everything about a class, as it was last decided.
 
-    ``proposed`` is the text of a grading.toml to see it by instead, and ``where`` its name.
+    ``proposed`` is the text of a grading.toml to see it by instead, and ``where`` its name. If
+    ``streamed``, the records of a large class are read anew whenever they are gone through, as they
+    are then, and the gradebook has to stay open; without a class list there are no ``matches``.
 
     Raises:
         CourseError: if the scheme names what the course or the class does not have.
     """
     text = (book.setting(SCHEME) or "") if proposed is None else proposed
-    records, matches = with_people(book.records(), class_list)
+    matches: dict[str, Match] = {}
+    records: Sequence[Record]
+    if not streamed:
+        records, matches = with_people(book.records(), class_list)
+    else:
+        if class_list.students:
+            matches = class_list.match_all({student: o for student, _, o in book.origins()})
+        records = StoredRecords(book, lambda record: _with_match(record, matches))
     scheme = read_scheme(text, course, records, where) if text else plain_scheme(course)
-    if text:
+    if text and isinstance(records, StoredRecords):
+        records = StoredRecords(
+            book, lambda record: replace(_with_match(record, matches), scheme=scheme)
+        )
+    elif text:
         records = [replace(record, scheme=scheme) for record in records]
-    return ClassView(course, scheme, tuple(records), class_list, matches)
+    if not streamed:
+        records = tuple(records)
+    return ClassView(course, scheme, records, class_list, matches)
+
+
+def _with_match(record: Record, matches: Mapping[str, Match]) -> Record:
+    match = matches.get(record.student)
+    return replace(record, people=match.people) if match else record
 
 
 def with_people(

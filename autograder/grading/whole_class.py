@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Sequence
 
 from autograder.course import Course
 from autograder.errors import AutograderError, machine_error
@@ -20,16 +20,16 @@ def grade_class(
     spread: Spread,
     done: Callable[[Graded], None],
     questions: Collection[str] | None = None,
-    known: Callable[[str, str], Graded | None] | None = None,
+    known: Callable[[Submission, str], Graded | None] | None = None,
     watch: Watch | None = None,
-    works: Mapping[str, Sequence[str]] | None = None,
+    works: Callable[[str], Sequence[str]] | None = None,
 ) -> None:
     """Grade submissions on ``spread``; call ``done`` with each as soon as it is ready.
 
-    ``done`` is called on the calling thread, and so is ``known``, which returns what the work of a
-    student with some fingerprint was graded before: it is not run again. Only ``questions`` are
-    marked, if they are given. ``works`` are the fingerprints of what each student handed in until
-    now: other work is marked with other hidden inputs.
+    ``done`` is called on the calling thread, and so is ``known``, which returns what a submission
+    with some fingerprint was graded before: it is not run again. Only ``questions`` are marked, if
+    they are given. ``works`` says, there too, the fingerprints of what a student handed in until
+    now: other work is marked with other hidden inputs. Nothing is kept of what was done.
 
     What may have been this machine's doing, and what was at work when an earlier run died, is
     graded last and alone. What the grader died of is passed by.
@@ -38,20 +38,22 @@ def grade_class(
         AutograderError: if the course or a machine is broken. What was graded until then was
             given to ``done``.
     """
-    run = _Run(course, spread, done, questions, known, watch, works or {})
-    deaths = {entry.student: watch.deaths(entry) if watch else 0 for entry in submissions}
-    together = [entry for entry in submissions if not deaths[entry.student]]
-    for count, submission in enumerate(together, 1):
-        run.begin(submission, more=len(together) - count)
+    run = _Run(course, spread, done, questions, known, watch, works)
+    deadly: list[tuple[Submission, int]] = []
+    for count, submission in enumerate(submissions, 1):
+        if watch is not None and (deaths := watch.deaths(submission)):
+            deadly.append((submission, deaths))
+            continue
+        run.begin(submission, more=len(submissions) - count)
         run.take_finished(wait=not spread.has_room)
     run.take_all()
     for submission in run.doubtful:
         run.begin(submission, more=0, again=True)
         run.take_all()
-    for submission in submissions:
-        if deaths[submission.student] >= PASSED_BY:
+    for submission, deaths in deadly:
+        if deaths >= PASSED_BY:
             done(_passed_by(submission, course, questions))
-        elif deaths[submission.student]:
+        else:
             run.begin(submission, more=0, again=True)
             run.take_all()
 
@@ -65,9 +67,9 @@ class _Run:
         spread: Spread,
         done: Callable[[Graded], None],
         questions: Collection[str] | None,
-        known: Callable[[str, str], Graded | None] | None,
+        known: Callable[[Submission, str], Graded | None] | None,
         watch: Watch | None,
-        works: Mapping[str, Sequence[str]],
+        works: Callable[[str], Sequence[str]] | None,
     ) -> None:
         self._course, self._spread, self._done = course, spread, done
         self._questions, self._known, self._watch = questions, known, watch
@@ -88,7 +90,7 @@ class _Run:
         read = self._read(submission)
         if isinstance(read, Task):
             fingerprint = read.contents.fingerprint
-            before = self._known(submission.student, fingerprint) if self._known else None
+            before = self._known(submission, fingerprint) if self._known else None
             if before is None:
                 self._spread.begin(read, more)
                 return
@@ -119,7 +121,7 @@ class _Run:
         course, questions = self._course, self._questions
         try:
             contents = read_submission(submission, course.settings, self._handout)
-            works = self._works.get(submission.student, ())
+            works = self._works(submission.student) if self._works else ()
             return Task(
                 submission, contents, set_number(submission.student, contents.fingerprint, works)
             )

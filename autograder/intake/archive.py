@@ -18,6 +18,7 @@ from pathlib import Path
 from typing import IO
 
 from autograder.errors import raise_if_short
+from autograder.exchange.printable import printable
 from autograder.intake.notebook_reader import Unreadable
 
 MAX_RATIO = 250  # deflate reaches about 1000; notebooks stay below 50
@@ -246,8 +247,5 @@ def too_many_files(most: int) -> Unreadable:
 
 def shown(name: str) -> str:
     """A path from a student, fit for a sentence: its end, if it is long."""
-    clean = "".join(c if c.isprintable() or c in JOINERS else "?" for c in name)
+    clean = printable(name, "?")
     return clean if len(clean) <= 80 else "…" + clean[-79:]
-
-
-JOINERS = "\u200c\u200d"  # families of emoji, Persian and Indic names are written with them

@@ -7,13 +7,16 @@ only thing there: what a student's zip holds can never become somebody else's su
 
 from __future__ import annotations
 
+from array import array
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from itertools import pairwise
 from pathlib import Path
 
 from autograder.course import Settings
 from autograder.errors import UsageError
-from autograder.intake.archive import JOINERS, shown
+from autograder.exchange.printable import JOINERS
+from autograder.intake.archive import shown
 from autograder.intake.layouts import LAYOUTS, plain
 from autograder.intake.layouts.layout import Context, Entry, Found, PassedOver, is_reports, visible
 from autograder.intake.layouts.plain import Verdict
@@ -25,6 +28,7 @@ from autograder.intake.place import (
     as_folder_if_readable,
     is_zip,
 )
+from autograder.intake.shelf import Shelf
 from autograder.intake.submissions import Submission, student_name
 
 LAYOUT_NAMES = (*(layout.name for layout in LAYOUTS), plain.CLASS, plain.ONE)
@@ -35,7 +39,7 @@ _DEEPEST = 4  # folders above the one that holds the class
 class Intake:
     """What was found: the submissions, what was passed over and why, and how it was read."""
 
-    submissions: list[Submission] = field(default_factory=list)
+    submissions: Shelf[Submission] = field(default_factory=lambda: Shelf(Submission))
     passed_over: list[PassedOver] = field(default_factory=list)
     rules: list[str] = field(default_factory=list)
     warnings: list[str] = field(default_factory=list)
@@ -66,11 +70,14 @@ def take_in(
     for path in dict.fromkeys(_absolute(path) for path in paths):
         groups.setdefault(path.parent, []).append(DiskPlace(path))
     found = [_find_group(places, context, layout) for places in groups.values()]
-    entries = [entry for one in found for entry in one.entries]
+    rules = list(dict.fromkeys(one.rule for one in found if one.entries))
+    entries = found[0].entries if found else Shelf(Entry)
+    for other in found[1:]:
+        entries += other.entries
     return Intake(
         _with_unique_keys(entries, known_keys or {}),
         [passed for one in found for passed in one.passed_over],
-        list(dict.fromkeys(one.rule for one in found if one.entries)),
+        rules,
         [warning for one in found for warning in one.warnings],
     )
 
@@ -88,7 +95,7 @@ def _find_group(places: Sequence[Place], context: Context, layout: str | None) -
     parent = first.piece.path.parent
     group = Group(parent.name, places, replace(first.piece, path=parent))
     if layout == plain.ONE:
-        return Found("plain", plain.RULE_ONE, [plain.one_entry(place) for place in places])
+        return Found("plain", plain.RULE_ONE, Shelf(Entry, map(plain.one_entry, places)))
     if len(places) > 1:
         return _find(group, context, layout)
     # A single path may have the mark itself, as a student's folder out of a Moodle download has.
@@ -104,21 +111,21 @@ def _find_group(places: Sequence[Place], context: Context, layout: str | None) -
 def _find_single(place: Place, context: Context, layout: str | None) -> Found:
     """A path given by itself: a zip may hold a class."""
     if place.is_link or not (place.is_folder or is_zip(place)):
-        return Found("plain", plain.RULE_ONE, [plain.one_entry(place)])
+        return Found("plain", plain.RULE_ONE, Shelf(Entry, [plain.one_entry(place)]))
     if place.is_folder:
         return _find(place, context, layout)
     if layout is None and plain._is_person(place, context):
-        return Found("plain", plain.RULE_ONE, [plain.one_entry(place)])
+        return Found("plain", plain.RULE_ONE, Shelf(Entry, [plain.one_entry(place)]))
     inside = as_folder_if_readable(place)
     if inside is None:
-        return Found("plain", plain.RULE_ONE, [plain.one_entry(place)])
+        return Found("plain", plain.RULE_ONE, Shelf(Entry, [plain.one_entry(place)]))
     found = _look(inside, context, layout, is_archive=True)
-    return found or Found("plain", plain.RULE_ONE, [plain.one_entry(place)])
+    return found or Found("plain", plain.RULE_ONE, Shelf(Entry, [plain.one_entry(place)]))
 
 
 def _find(folder: Place, context: Context, layout: str | None) -> Found:
     found = _look(folder, context, layout, is_archive=False)
-    return found or Found("plain", plain.RULE_ONE, [plain.one_entry(folder)])
+    return found or Found("plain", plain.RULE_ONE, Shelf(Entry, [plain.one_entry(folder)]))
 
 
 def _look(
@@ -217,51 +224,61 @@ def _beside(folder: Place, found: Found | None, wrapped: Place) -> Found | None:
 
 def _with_unique_keys(
     entries: Sequence[Entry], known: Mapping[tuple[str, str], str]
-) -> list[Submission]:
+) -> Shelf[Submission]:
     """Each entry with a key of its own: that of the gradebook, the name, or the name and a number.
 
     Of several with one name those that a system tells apart get its number behind the name; of the
     others the second becomes ``ada (2)``, and all say so.
     """
-    by_name: dict[str, list[Entry]] = {}
-    for entry in entries:
-        by_name.setdefault(_alike(student_name(entry.key)), []).append(entry)
-    taken = {_alike(key) for key in known.values()}
+    # Of the names of a large class only digests are kept: all of them would take much room.
+    names = array("q", (_digest(student_name(entry.key)) for entry in entries))
+    namesakes = _namesakes(entries, names)
+    every_name = set(names) if namesakes or known else set()
+    taken = {_digest(key) for key in known.values()}
     used: set[str] = set()
-    submissions: list[Submission] = []
-    for entry in entries:
+    submissions: Shelf[Submission] = Shelf(Submission)
+    for number, entry in enumerate(entries):
         name = student_name(entry.key)
-        same = by_name[_alike(name)]
+        same = namesakes.get(_alike(name), {number: entry})
         notes = entry.notes
         key = known.get((entry.origin.layout, entry.origin.prefix))
         if key in used:
             key = None
+        elif key is not None:
+            used.add(key)
         if len(same) > 1 and not entry.apart:
-            names = ", ".join(shown(other.origin.prefix) for other in same[:5])
+            called = ", ".join(shown(other.origin.prefix) for other in list(same.values())[:5])
             notes = (
-                f"Several submissions are named {name} ({names}); each is marked by itself.",
+                f"Several submissions are named {name} ({called}); each is marked by itself.",
                 *notes,
             )
         if key is None:
-            first = same[0] is entry and not entry.apart
-            key = (
-                name
-                if len(same) == 1 or first
-                else f"{name} ({entry.apart or _place(entry, same)})"
-            )
-            number = 2
+            place = list(same).index(number) + 1
+            first = place == 1 and not entry.apart
+            key = name if len(same) == 1 or first else f"{name} ({entry.apart or place})"
+            another = 2
             wanted = key
-            while _alike(key) in taken or (key != name and _alike(key) in by_name):
-                key = f"{wanted} ({number})"
-                number += 1
-            taken.add(_alike(key))
-        used.add(key)
+            while _digest(key) in taken or (key != name and _digest(key) in every_name):
+                key = f"{wanted} ({another})"
+                another += 1
+            taken.add(_digest(key))
         submissions.append(Submission(key, _path(entry.origin), notes, entry.origin))
     return submissions
 
 
-def _place(entry: Entry, same: Sequence[Entry]) -> int:
-    return next(n for n, other in enumerate(same, 1) if other is entry)
+def _namesakes(entries: Sequence[Entry], names: Sequence[int]) -> dict[str, dict[int, Entry]]:
+    """The entries that share a name with another, by that name and by their number."""
+    repeated = {a for a, b in pairwise(sorted(names)) if a == b}
+    by_name: dict[str, dict[int, Entry]] = {}
+    for number, entry in enumerate(entries) if repeated else ():
+        if names[number] in repeated:
+            by_name.setdefault(_alike(student_name(entry.key)), {})[number] = entry
+    return by_name
+
+
+def _digest(name: str) -> int:
+    """A number in place of a name, the same for names that are alike."""
+    return hash(_alike(name))
 
 
 def _alike(name: str) -> str:

@@ -13,6 +13,7 @@ from collections import defaultdict
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
+from autograder.exchange.printable import printable
 from autograder.intake.names import claim_of
 from autograder.intake.origin import Claim, Origin
 from autograder.intake.person import Person
@@ -307,5 +308,5 @@ def _fits(people: Iterable[Person]) -> str:
 
 def quoted(text: str) -> str:
     """A TOML string."""
-    plain = "".join(c if c.isprintable() else "?" for c in text)
+    plain = printable(text, "?")
     return '"' + plain.replace("\\", "\\\\").replace('"', '\\"') + '"'

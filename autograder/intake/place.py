@@ -6,7 +6,6 @@ import os
 import stat
 from collections.abc import Sequence
 from datetime import UTC, datetime
-from functools import cached_property
 from pathlib import Path
 from typing import Protocol
 
@@ -64,13 +63,31 @@ class Place(Protocol):
 class DiskPlace:
     """A file or a folder on disk."""
 
-    def __init__(self, path: Path) -> None:
-        self.path = path
-        self.name = path.name
+    # Of a class there is one for each submission: no dictionary, and no Path before it is wanted.
+    __slots__ = ("_below", "_kind", "_parent", "name")
 
-    @cached_property
+    def __init__(self, path: Path) -> None:
+        self.name = path.name
+        self._parent = str(path.parent) if path.name else str(path)
+        self._kind: int | None = None
+        self._below: list[DiskPlace] | None = None
+
+    @classmethod
+    def _in(cls, parent: str, name: str) -> DiskPlace:
+        place = cls.__new__(cls)
+        place.name, place._parent, place._kind, place._below = name, parent, None, None
+        return place
+
+    @property
+    def path(self) -> Path:
+        """The path, absolute if the one that led here was."""
+        return Path(self._parent, self.name)
+
+    @property
     def _mode(self) -> int:
-        return self.path.lstat().st_mode
+        if self._kind is None:
+            self._kind = os.lstat(os.path.join(self._parent, self.name)).st_mode
+        return self._kind
 
     @property
     def is_folder(self) -> bool:
@@ -91,15 +108,12 @@ class DiskPlace:
         except (OSError, ValueError, OverflowError):
             return None
 
-    @cached_property
-    def _children(self) -> list[DiskPlace]:
-        if not self.is_folder:
-            return []
-        with os.scandir(self.path) as entries:
-            return [DiskPlace(Path(entry.path)) for entry in sorted(entries, key=lambda e: e.name)]
-
     def children(self) -> Sequence[Place]:
-        return self._children
+        if self._below is None:
+            names = sorted(os.listdir(self.path)) if self.is_folder else []
+            parent = str(self.path)
+            self._below = [DiskPlace._in(parent, name) for name in names]
+        return self._below
 
     def read(self, limit: int) -> bytes:
         with open_regular(self.path) as stream:

@@ -16,8 +16,9 @@ from pathlib import Path, PurePosixPath
 from typing import Any
 
 from autograder.course import Settings
+from autograder.exchange.printable import JOINERS
 from autograder.exchange.responses import keep_response
-from autograder.intake.archive import JOINERS, shown
+from autograder.intake.archive import shown
 from autograder.intake.handed_in import Files, Kept, read_files
 from autograder.intake.handout import Handout
 from autograder.intake.notebook_reader import (
@@ -82,7 +83,7 @@ class Contents:
     fingerprint: str = ""
 
 
-def find_submissions(paths: Collection[Path], settings: Settings) -> list[Submission]:
+def find_submissions(paths: Collection[Path], settings: Settings) -> Sequence[Submission]:
     """The submissions at the given paths; `autograder.intake.find.take_in` says more about them.
 
     Raises:

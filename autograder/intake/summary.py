@@ -22,6 +22,7 @@ from autograder.intake.origin import (
 )
 from autograder.intake.person import Person
 from autograder.intake.place import DiskPlace
+from autograder.intake.shelf import Shelf
 from autograder.intake.submissions import Submission
 from autograder.intake.times import doubt, snapshot
 
@@ -55,7 +56,7 @@ class Summary:
     """Everything that was handed in, and everything that was not taken in."""
 
     class_list: ClassList
-    rows: list[Row]
+    rows: Sequence[Row]
     passed_over: list[PassedOver] = field(default_factory=list)
     rules: list[str] = field(default_factory=list)
     warnings: list[str] = field(default_factory=list)
@@ -170,11 +171,14 @@ def summarise(
     ``times`` is what a ``times.csv`` says; with ``trust_times`` the times of files count where
     nothing better is known, and penalties are taken whatever the times look like.
     """
-    matches = class_list.match_all({entry.student: entry.origin for entry in submissions})
-    rows = []
+    matches = {}
+    if class_list.students:  # whose one is depends on whose the others may be
+        matches = class_list.match_all({entry.student: entry.origin for entry in submissions})
+    rows: Shelf[Row] = Shelf(Row)
     used: set[str] = set()
     for submission in submissions:
-        match = matches[submission.student]
+        key = submission.student
+        match = matches.get(key) or class_list.match_all({key: submission.origin})[key]
         origin = _timed_origin(submission, match, class_list, times or {}, trust_times, used)
         days = 0
         if origin.handed_in is not None:
@@ -206,10 +210,11 @@ def _look_at_times(summary: Summary, trust_times: bool, unused: Collection[str])
     if not trust_times:
         withheld = watched if doubted else hints
         students = {row.submission.student for row in withheld}
-        summary.rows = [
+        withheld_rows = (
             replace(row, percent=0.0) if row.submission.student in students else row
             for row in summary.rows
-        ]
+        )
+        summary.rows = Shelf(Row, withheld_rows)
     marked = [row for row in summary.rows if row.origin.called_late and not _timed(row)]
     if marked:
         summary.warnings.append(

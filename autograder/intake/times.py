@@ -8,12 +8,13 @@ a download sets it.
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from datetime import UTC, datetime, timedelta, tzinfo
 from pathlib import Path
 
 from autograder.errors import CourseError
+from autograder.intake.shelf import Shelf
 from autograder.intake.tables import column, read_rows, read_text
 
 _MONTHS = {
@@ -177,7 +178,17 @@ def snapshot(paths: Sequence[Path]) -> dict[Path, tuple[int, int]]:
     return seen
 
 
-def changed_since(before: Mapping[Path, tuple[int, int]]) -> list[Path]:
+def snapshot_class(paths: Iterable[Path]) -> Shelf[tuple[Path, tuple[int, int]]]:
+    """As `snapshot`, for the places of a class of any size: each file with its size and time."""
+    seen: Shelf[tuple[Path, tuple[int, int]]] = Shelf(tuple[Path, tuple[int, int]])
+    last = None
+    for path in paths:
+        if path != last:  # what lies in one zip follows each other
+            seen += snapshot([path]).items()
+        last = path
+    return seen
+
+
+def changed_since(before: Iterable[tuple[Path, tuple[int, int]]]) -> list[Path]:
     """The files that are no longer as they were."""
-    now = snapshot(list(before))
-    return [path for path, status in before.items() if now.get(path) != status]
+    return [path for path, status in before if snapshot([path]).get(path) != status]

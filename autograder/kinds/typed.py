@@ -7,10 +7,11 @@ apart by `ast`, so that neither a notebook nor a file of responses can run anyth
 from __future__ import annotations
 
 import ast
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from typing import Any
 
 from autograder.errors import UsageError
+from autograder.kinds.spelling import is_code, spelt
 
 MAX_LENGTH = 500
 MAX_BITS = 10_000
@@ -21,15 +22,17 @@ def assign_if_open(variable: str, value: str) -> str:
     return f"if globals().get({variable!r}, ...) is ...:\n    {variable} = {value}"
 
 
-def parse(text: str) -> ast.expr:
-    """The tree of a typed formula.
+def parse(text: str, functions: Collection[str] = ()) -> ast.expr:
+    """The tree of a typed formula, in which these functions may be called.
 
     Raises:
         UsageError: if it is none; the sentence says why.
     """
-    text = text.strip().replace("^", "**").replace("−", "-").replace("·", "*")
+    text = text.strip()
     if len(text) > MAX_LENGTH:
         raise UsageError(f"That is longer than {MAX_LENGTH} characters.")
+    if not is_code(text):
+        text = spelt(text, functions)
     try:
         return ast.parse(text, mode="eval").body
     except (SyntaxError, ValueError, RecursionError, MemoryError):

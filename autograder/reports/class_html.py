@@ -8,7 +8,7 @@ import numpy as np
 
 from autograder.course import Course
 from autograder.gradebook import ClassView, Record, Run
-from autograder.reports.machine import most_for
+from autograder.reports.gather import ClassFindings, gather
 from autograder.reports.markdown import inline, text
 from autograder.reports.page import page, table
 from autograder.reports.people_html import Links, needy_html, to_do_html
@@ -17,8 +17,6 @@ from autograder.reports.statistics import (
     STOPPED,
     Mistake,
     QuestionStatistics,
-    common_mistakes,
-    question_statistics,
 )
 from autograder.reports.svg import (
     BLUE,
@@ -48,20 +46,22 @@ def class_html(
     run: Run | None,
     view: ClassView | None = None,
     intake: str = "",
+    found: ClassFindings | None = None,
 ) -> str:
     """The page; everything on it is also in the CSV files beside it.
 
-    ``intake`` is what the last run said of what was handed in.
+    ``intake`` is what the last run said of what was handed in; ``found`` is what was gathered from
+    the records, if that was done before.
     """
-    most = most_for(course, records[0] if records else None)
-    links = Links(records)
-    totals = np.array([record.total for record in records])
-    statistics = question_statistics(course, records)
     header = ["<h1>The class</h1>"]
-    if not records:
+    if not len(records):
         return page("The class", header[0], "<p>Nothing was graded yet.</p>", "")
+    found = found or gather(course, records)
+    most, statistics = found.most, found.questions
+    links = Links(found.names)
+    totals = np.array(found.totals)
     header.append(
-        f'<p class="total"><strong>{len(records)}</strong> submissions, median '
+        f'<p class="total"><strong>{found.count}</strong> submissions, median '
         f"<strong>{np.median(totals):.4g}</strong> of {most:g} points</p>"
         f'<p class="soft">Mean {totals.mean():.3g}, standard deviation {totals.std():.3g}, '
         f"from {totals.min():g} to {totals.max():g}.</p>"
@@ -70,15 +70,15 @@ def class_html(
         header.append(f'<p class="soft">{text(intake)}.</p>')
     if run is not None and run.isolation:
         header.append(f'<p class="soft">Student code was isolated with {text(run.isolation)}.</p>')
-    to_do = to_do_html(view, links) if view is not None else ""
+    to_do = to_do_html(view, found, links) if view is not None else ""
     sections = [
         *([_section("What needs a person", to_do)] if to_do else []),
-        _section("Who needs help", needy_html(course, records, links)),
-        _section("Points", _points(course, records, totals, most)),
-        _section("Questions that look broken", _broken(statistics, len(records))),
+        _section("Who needs help", needy_html(course, found, links)),
+        _section("Points", _points(course, found, totals)),
+        _section("Questions that look broken", _broken(statistics, found.count)),
         _section("Questions", _questions(statistics)),
-        _section("The most common mistakes", _mistakes(common_mistakes(course, records), links)),
-        _section("Time and failures", _time_and_failures(records, run, links)),
+        _section("The most common mistakes", _mistakes(found.mistakes, links)),
+        _section("Time and failures", _time_and_failures(found, run, links)),
     ]
     footer = (
         "<p>The same as tables: class_questions.csv, class_mistakes.csv, class_students.csv, and "
@@ -91,21 +91,16 @@ def _section(title: str, body: str) -> str:
     return f"<section>\n<h2>{title}</h2>\n{body}\n</section>"
 
 
-def _points(course: Course, records: Sequence[Record], totals: np.ndarray, most: float) -> str:
+def _points(course: Course, found: ClassFindings, totals: np.ndarray) -> str:
     bins = 10 if len(totals) < 60 else 20
     rows = []
     for chapter in course.chapters:
         possible = sum(question.points for question in chapter.questions)
-        earned = [
-            sum(record.points(question.id) or 0.0 for question in chapter.questions)
-            for record in records
-        ]
-        share = 100 * float(np.mean(earned)) / possible if possible else 0.0
-        rows.append(
-            [text(chapter.title), f"{np.mean(earned):.1f}", f"{possible:g}", f"{share:.0f} %"]
-        )
+        mean = found.chapters[chapter.title] / found.count
+        share = 100 * mean / possible if possible else 0.0
+        rows.append([text(chapter.title), f"{mean:.1f}", f"{possible:g}", f"{share:.0f} %"])
     chapters = table("Each chapter", ["chapter", "mean", "of", "share"], rows, {1, 2, 3})
-    chart = histogram(totals.tolist(), 0, most, bins, "points", "Points")
+    chart = histogram(totals.tolist(), 0, found.most, bins, "points", "Points")
     return f'<div class="pair"><figure>{chart}</figure><div>{chapters}</div></div>'
 
 
@@ -254,13 +249,12 @@ def _mistake_table(caption: str, mistakes: Sequence[Mistake], links: Links) -> s
     return table(caption, ["question", "mistake", "students", "who"], rows, {2}) + more
 
 
-def _time_and_failures(records: Sequence[Record], run: Run | None, links: Links) -> str:
-    seconds = np.array([record.graded.seconds for record in records])
+def _time_and_failures(found: ClassFindings, run: Run | None, links: Links) -> str:
+    seconds = np.array(found.seconds)
     spent = f"{seconds.sum():.0f} s of running and marking"
     if run is not None and run.seconds:
         spent += f", the last run took {run.seconds:.0f} s by the clock"
-    slowest = sorted(records, key=lambda record: -record.graded.seconds)[:3]
-    named = ", ".join(f"{links.to(r.student)} ({r.graded.seconds:.1f} s)" for r in slowest)
+    named = ", ".join(f"{links.to(student)} ({s:.1f} s)" for s, student in found.slowest)
     lines = [
         f"<p>{spent}. Median {np.median(seconds):.2g} s a submission; slowest: {named}.</p>",
     ]
@@ -269,25 +263,21 @@ def _time_and_failures(records: Sequence[Record], run: Run | None, links: Links)
         f"<figure>{histogram(seconds.tolist(), 0, high, 20, 'seconds', 'Time for each submission')}"
         "</figure>"
     )
-    failures: dict[tuple[str, str, str], list[str]] = {}
-    for record in records:
-        if record.graded.status == "unreadable":
-            reason = ("everything", "unreadable", " ".join(record.graded.notes))
-            failures.setdefault(reason, []).append(record.student)
-            continue
-        for mark in record.graded.marks:
-            if mark.status in STOPPED:
-                reason = (mark.question, mark.status, mark.feedback)
-                failures.setdefault(reason, []).append(record.student)
     rows = [
-        [text(question), status, text(said), str(len(students)), links.all(students)]
+        [
+            *(text(question), status, text(said), str(students.count)),
+            links.all(students.first, count=students.count),
+        ]
         for (question, status, said), students in sorted(
-            failures.items(), key=lambda item: (-len(item[1]), item[0])
+            found.failures.items(), key=lambda item: (-item[1].count, item[0])
         )
     ]
     if rows:
         header = ["question", "status", "reason", "students", "who"]
-        lines.append(table(f"{sum(map(len, failures.values()))} failures", header, rows, {3}))
+        lines.append(table(f"{found.failure_count} failures", header, rows, {3}))
+        listed = sum(students.count for students in found.failures.values())
+        if listed < found.failure_count:
+            lines.append(f"<p>{found.failure_count - listed} more have other reasons.</p>")
     else:
         lines.append("<p>No response failed to run.</p>")
     return "\n".join(lines)

@@ -11,6 +11,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from autograder.errors import machine_error
+from autograder.exchange.printable import printable
 
 _RESERVED = {"con", "prn", "aux", "nul"} | {f"{d}{n}" for d in ("com", "lpt") for n in range(10)}
 _LONGEST = 120  # bytes
@@ -66,7 +67,7 @@ def cell(value: object) -> str:
 
 def defused(text: str) -> str:
     """Text that no spreadsheet takes for a formula, on one line and without control characters."""
-    text = "".join(c if c.isprintable() else " " for c in text)
+    text = printable(text, " ")
     return "'" + text if text.lstrip()[:1] in tuple("=+-@＝＋－＠|%") else text
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
 from autograder.course import Course
@@ -18,34 +18,31 @@ def points_cell(record: Record, question: str) -> float | str | None:
     return NOT_YET if question in record.open else record.points(question)
 
 
-def write_grades_csv(path: Path, course: Course, records: Sequence[Record]) -> None:
+def write_grades_csv(path: Path, course: Course, records: Iterable[Record]) -> None:
     """Write student, points for each question, total, max and status, whole or not at all.
 
     Then come what lateness cost, which questions were marked by hand and which wait for a person
     (their points are "not yet"), what kept the student's code in, and whose work it is.
     """
+    write_csv(path, _rows(course, records))
+
+
+def _rows(course: Course, records: Iterable[Record]) -> Iterator[Sequence[object]]:
     header = ["student", *course.questions, "total", "max", "status"]
-    rows: list[list[object]] = [
-        [
-            *(*header, "late_days", "late_deduction", "marked_by_hand", "isolation"),
-            *("not_yet_marked", "name", "section"),
-        ]
-    ]
+    header += ["late_days", "late_deduction", "marked_by_hand", "isolation"]
+    yield [*header, "not_yet_marked", "name", "section"]
     for record in records:
-        rows.append(
-            [
-                record.student,
-                *(points_cell(record, id) for id in course.questions),
-                NOT_YET if record.open else record.total,
-                most_for(course, record),
-                record.graded.status,
-                record.late_days,
-                record.deduction,
-                " ".join(record.overrides),
-                record.isolation,
-                " ".join(record.open),
-                record.name,
-                ", ".join(dict.fromkeys(p.section for p in record.people if p.section)),
-            ]
-        )
-    write_csv(path, rows)
+        yield [
+            record.student,
+            *(points_cell(record, id) for id in course.questions),
+            NOT_YET if record.open else record.total,
+            most_for(course, record),
+            record.graded.status,
+            record.late_days,
+            record.deduction,
+            " ".join(record.overrides),
+            record.isolation,
+            " ".join(record.open),
+            record.name,
+            ", ".join(dict.fromkeys(p.section for p in record.people if p.section)),
+        ]

@@ -12,6 +12,8 @@ from markdown_it import MarkdownIt
 from markdown_it.token import Token
 from mdit_py_plugins.dollarmath import dollarmath_plugin
 
+from autograder.exchange.printable import printable
+
 
 def formula(latex: str, block: bool = False) -> str:
     """A LaTeX formula as MathML; what cannot be converted is shown as it is written."""
@@ -60,4 +62,4 @@ def text(value: str) -> str:
 
 def readable(value: str) -> str:
     """Text whose control characters, except line breaks, are shown as a replacement sign."""
-    return "".join(c if c.isprintable() or c == "\n" else "�" for c in value)
+    return printable(value, "�", keep="\n")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -11,6 +11,7 @@ import numpy as np
 from autograder.course import Course
 from autograder.course.questions import Question
 from autograder.gradebook.record import Record
+from autograder.intake.shelf import Shelf
 from autograder.kinds.registry import kind_of
 from autograder.marking import Mark
 from autograder.reports.machine import most_for
@@ -45,7 +46,7 @@ class Mistake:
     question: str
     name: str
     named: bool
-    students: tuple[str, ...]
+    students: Sequence[str]
 
 
 @dataclass(frozen=True)
@@ -64,54 +65,92 @@ class Needy:
     mistakes: tuple[tuple[str, str], ...] = ()
 
 
-def question_statistics(course: Course, records: Sequence[Record]) -> list[QuestionStatistics]:
+def question_statistics(course: Course, records: Iterable[Record]) -> list[QuestionStatistics]:
     """Statistics of every question; submissions that could not be opened are left out."""
-    opened = [record for record in records if record.graded.status != "unreadable"]
-    points = np.array(
-        [[record.points(id) or 0.0 for id in course.questions] for record in opened]
-    ).reshape(len(opened), len(course.questions))
-    found = []
-    for column, question in enumerate(course.questions.values()):
-        marks = [record.marks[question.id] for record in opened if question.id in record.marks]
-        statuses = Counter(mark.status for mark in marks)
-        tried = np.array(
-            [
-                question.id in record.overrides
-                or (
-                    question.id in record.marks
-                    and record.marks[question.id].status != "not attempted"
+    sums = QuestionSums(course)
+    for record in records:
+        sums.add(record)
+    return sums.statistics()
+
+
+class QuestionSums:
+    """Gathers `question_statistics`, one record after the other; nothing of a record is kept."""
+
+    def __init__(self, course: Course) -> None:
+        self._questions = list(course.questions.values())
+        count = len(self._questions)
+        self._statuses: list[Counter[str]] = [Counter() for _ in self._questions]
+        self._tried = np.zeros(count, dtype=int)
+        self._earned = np.zeros(count)  # by those who tried
+        self._unnamed = np.zeros(count, dtype=int)
+        self._together = Together(count)
+
+    def add(self, record: Record) -> None:
+        """Take in one submission."""
+        if record.graded.status == "unreadable":
+            return
+        marks = record.marks
+        points = np.array([record.points(question.id) or 0.0 for question in self._questions])
+        for column, question in enumerate(self._questions):
+            mark = marks.get(question.id)
+            if mark is not None:
+                self._statuses[column][mark.status] += 1
+                self._unnamed[column] += _is_unnamed(question, mark)
+            was_tried = mark is not None and mark.status != "not attempted"
+            if was_tried or question.id in record.overrides:
+                self._tried[column] += 1
+                self._earned[column] += points[column]
+        self._together.add(points, points.sum() - points)
+
+    def statistics(self) -> list[QuestionStatistics]:
+        """What all of them say, question by question."""
+        found = []
+        discriminations = self._together.correlations()
+        for column, question in enumerate(self._questions):
+            statuses, discrimination = self._statuses[column], discriminations[column]
+            tried, unnamed = int(self._tried[column]), int(self._unnamed[column])
+            difficulty = None
+            if tried and question.points:
+                difficulty = float(self._earned[column] / tried / question.points)
+            troubles = tuple(_troubles(statuses, tried, difficulty, discrimination, unnamed))
+            found.append(
+                QuestionStatistics(
+                    *(question, statuses, tried, difficulty, discrimination, unnamed, troubles)
                 )
-                for record in opened
-            ],
-            dtype=bool,
-        )
-        difficulty = (
-            float(points[tried, column].mean() / question.points)
-            if tried.any() and question.points
-            else None
-        )
-        rest = points.sum(axis=1) - points[:, column]
-        discrimination = correlation(points[:, column], rest)
-        unnamed = sum(_is_unnamed(question, mark) for mark in marks)
-        found.append(
-            QuestionStatistics(
-                question,
-                statuses,
-                int(tried.sum()),
-                difficulty,
-                discrimination,
-                unnamed,
-                tuple(_troubles(statuses, int(tried.sum()), difficulty, discrimination, unnamed)),
             )
-        )
-    return found
+        return found
 
 
-def correlation(a: np.ndarray, b: np.ndarray) -> float | None:
-    """Pearson's correlation; None for few values or none that vary."""
-    if len(a) < FEWEST or np.ptp(a) == 0 or np.ptp(b) == 0:
-        return None
-    return float(np.corrcoef(a, b)[0, 1])
+class Together:
+    """Pearson's correlations of ``count`` pairs of numbers, gathered by Welford's method."""
+
+    def __init__(self, count: int) -> None:
+        self._seen = 0
+        # In the rows: the first of each pair, the second.
+        self._mean, self._squares = np.zeros((2, count)), np.zeros((2, count))
+        self._products = np.zeros(count)
+        self._low, self._high = np.full((2, count), np.inf), np.full((2, count), -np.inf)
+
+    def add(self, first: np.ndarray, second: np.ndarray) -> None:
+        """Take in the next of each pair, arrays of ``count`` numbers."""
+        pair = np.stack([first, second])
+        self._seen += 1
+        before = pair - self._mean
+        self._mean += before / self._seen
+        self._squares += before * (pair - self._mean)
+        self._products += before[0] * (pair[1] - self._mean[1])
+        self._low, self._high = np.minimum(self._low, pair), np.maximum(self._high, pair)
+
+    def correlations(self) -> list[float | None]:
+        """One for each pair; None for few values or none that vary."""
+        if self._seen < FEWEST:
+            return [None] * len(self._products)
+        varies = np.min(self._high - self._low, axis=0) > 0
+        scale = np.sqrt(self._squares.prod(axis=0))
+        return [
+            float(np.clip(product / size, -1, 1)) if is_defined and size > 0 else None
+            for product, size, is_defined in zip(self._products, scale, varies, strict=True)
+        ]
 
 
 def _is_unnamed(question: Question, mark: Mark) -> bool:
@@ -154,59 +193,79 @@ def _troubles(
     return troubles
 
 
-def common_mistakes(course: Course, records: Sequence[Record]) -> list[Mistake]:
+def common_mistakes(course: Course, records: Iterable[Record]) -> list[Mistake]:
     """Every mistake that somebody made, those with a name first, and of them the most common."""
-    made: dict[tuple[str, str, bool], list[str]] = {}
+    made = MistakesMade(course)
     for record in records:
-        for question in course.questions.values():
-            mark = record.marks.get(question.id)
+        made.add(record)
+    return made.mistakes()
+
+
+class MistakesMade:
+    """Gathers `common_mistakes`, one record after the other."""
+
+    def __init__(self, course: Course) -> None:
+        self._course = course
+        self._made: dict[tuple[str, str, bool], Shelf[str]] = {}
+
+    def add(self, record: Record) -> None:
+        """Take in one submission."""
+        marks = record.marks
+        for question in self._course.questions.values():
+            mark = marks.get(question.id)
             if mark is None or mark.status not in ("wrong", "partial"):
                 continue
             kind = kind_of(question)
             known = kind.known_mistakes(question, mark)
             for name in known or kind.other_mistakes(question, mark):
-                made.setdefault((question.id, name, bool(known)), []).append(record.student)
-    mistakes = [Mistake(*mistake, tuple(students)) for mistake, students in made.items()]
-    order = {id: position for position, id in enumerate(course.questions)}
-    return sorted(
-        mistakes, key=lambda m: (not m.named, -len(m.students), order[m.question], m.name)
-    )
+                key = (question.id, name, bool(known))
+                self._made.setdefault(key, Shelf(str)).append(record.student)
+
+    def mistakes(self) -> list[Mistake]:
+        """All of them, in the order of `common_mistakes`."""
+        order = {id: position for position, id in enumerate(self._course.questions)}
+        return sorted(
+            (Mistake(*mistake, students) for mistake, students in self._made.items()),
+            key=lambda m: (not m.named, -len(m.students), order[m.question], m.name),
+        )
 
 
-def who_needs_help(course: Course, records: Sequence[Record]) -> list[Needy]:
+def who_needs_help(course: Course, records: Iterable[Record]) -> list[Needy]:
     """Students with less than half of the points, or whose work could not be run; lowest first."""
-    needy = []
-    for record in records:
-        most = most_for(course, record)
-        statuses = Counter(mark.status for mark in record.graded.marks)
-        reasons = []
-        if record.graded.status == "unreadable":
-            reasons.append("the submission could not be opened; ask for it again")
-        elif record.total < most / 2:
-            reasons.append("less than half of the points")
-        if record.graded.status != "unreadable":
-            open_ones = statuses["not attempted"]
-            if open_ones >= len(course.questions) / 2:
-                reasons.append(f"{open_ones} of {len(course.questions)} questions not attempted")
-            for status, words in (
-                ("error", "with an exception"),
-                ("timeout", "at the time limit"),
-                ("killed", "with a crash"),
-            ):
-                if statuses[status] >= 2:
-                    reasons.append(f"{statuses[status]} questions ended {words}")
-        if reasons:
-            needy.append(
-                Needy(
-                    record.student,
-                    record.total,
-                    tuple(reasons),
-                    section_of(record),
-                    _weak_chapters(course, record),
-                    _known_mistakes(course, record),
-                )
-            )
+    needy = [found for record in records if (found := needs_help(course, record))]
     return sorted(needy, key=lambda entry: (entry.total, entry.student))
+
+
+def needs_help(course: Course, record: Record) -> Needy | None:
+    """Why somebody should look after a student, or None."""
+    most = most_for(course, record)
+    statuses = Counter(mark.status for mark in record.graded.marks)
+    reasons = []
+    if record.graded.status == "unreadable":
+        reasons.append("the submission could not be opened; ask for it again")
+    elif record.total < most / 2:
+        reasons.append("less than half of the points")
+    if record.graded.status != "unreadable":
+        open_ones = statuses["not attempted"]
+        if open_ones >= len(course.questions) / 2:
+            reasons.append(f"{open_ones} of {len(course.questions)} questions not attempted")
+        for status, words in (
+            ("error", "with an exception"),
+            ("timeout", "at the time limit"),
+            ("killed", "with a crash"),
+        ):
+            if statuses[status] >= 2:
+                reasons.append(f"{statuses[status]} questions ended {words}")
+    if not reasons:
+        return None
+    return Needy(
+        record.student,
+        record.total,
+        tuple(reasons),
+        section_of(record),
+        _weak_chapters(course, record),
+        _known_mistakes(course, record),
+    )
 
 
 def section_of(record: Record) -> str:

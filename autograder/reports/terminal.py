@@ -12,6 +12,7 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 from rich.table import Table
 
 from autograder.course import Course
+from autograder.exchange.printable import printable as without_controls
 from autograder.gradebook.changes import Change
 from autograder.gradebook.record import Override, Record, names_of
 from autograder.kinds.status import Status
@@ -95,17 +96,18 @@ def _print_lines(console: Console, course: Course, records: Sequence[Record]) ->
     _line(console, LEGEND)
 
 
-def print_changes(
-    console: Console, before: Mapping[str, Record], changes: Sequence[Change]
-) -> None:
-    """A line a student whose marks changed: the totals, and every mark before and after."""
+def print_changes(console: Console, earned: Mapping[str, float], changes: Sequence[Change]) -> None:
+    """A line a student whose marks changed: the totals, and every mark before and after.
+
+    ``earned`` are the points before; ``changes`` are in the order of students.
+    """
     count = 0
     for student, entries in groupby(changes, key=lambda change: change.student):
         count += 1
         of_student = list(entries)
-        earned = before[student].earned
+        before = earned[student]
         gained = sum(change.points for change in of_student)
-        _line(console, f"{student}: {earned:g} → {round(earned + gained, 2):g} points")
+        _line(console, f"{student}: {before:g} → {round(before + gained, 2):g} points")
         for change in of_student:
             kept = "; the override stays" if change.overridden else ""
             _line(
@@ -192,7 +194,7 @@ def print_record(
 
 def printable(text: str) -> str:
     """Text without control characters, so that no name can write to the terminal."""
-    return "".join(character if character.isprintable() else "�" for character in text)
+    return without_controls(text, "�")
 
 
 def _line(console: Console, text: str) -> None:

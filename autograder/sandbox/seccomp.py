@@ -3,9 +3,10 @@
 What is refused: other processes (ptrace, kill, signals through a descriptor's owner), programs
 (execve), the network, mounts, namespaces, memory and queues that no limit counts or that outlive a
 process, priorities, the owners of files and their extended attributes, and the kernel's wider
-surface; where no file system of its own hides the instructor's files, also the modes and times of
-files, which Landlock does not govern. Calls younger than this list do not exist in here. What is
-left is what Python, NumPy and matplotlib need.
+surface. Where no file system of its own hides the instructor's files, the modes and times of files,
+which Landlock does not govern, stay as they are: the calls that change them succeed and do nothing,
+since honest work that copies a file (`shutil.copy`) makes them too. Calls younger than this list do
+not exist in here. What is left is what Python, NumPy and matplotlib need.
 """
 
 from __future__ import annotations
@@ -165,7 +166,7 @@ _REFUSED: dict[str, tuple[int | None, int | None]] = {
     "statmount": (457, 457),
     "listmount": (458, 458),
 }
-# By path or by descriptor; `ftruncate` stays, since its descriptor had to be opened for writing.
+# By path or by descriptor.
 _FILE_MODES_AND_TIMES: dict[str, tuple[int | None, int | None]] = {
     "chmod": (90, None),
     "fchmod": (91, 52),
@@ -175,8 +176,9 @@ _FILE_MODES_AND_TIMES: dict[str, tuple[int | None, int | None]] = {
     "utimes": (235, None),
     "futimesat": (261, None),
     "utimensat": (280, 88),
-    "truncate": (76, 45),
 }
+# Of a file that is named; `ftruncate` stays, since its descriptor had to be opened for writing.
+_TRUNCATE = (76, 45)
 # What the trial of a kind of isolation calls: a sample of each family.
 TRIED = {
     name: _REFUSED[name]
@@ -222,23 +224,23 @@ _AT_NUMBER, _AT_ARCHITECTURE, _AT_ARGUMENTS = 0, 4, 16
 
 
 def build_filter(
-    refuse_thread_signals: bool = False, refuse_modes_and_times: bool = False
+    refuse_thread_signals: bool = False, keep_modes_and_times: bool = False
 ) -> bytes | None:
     """The filter's program for this machine, or None for a processor that is not known.
 
     ``refuse_thread_signals`` also refuses tgkill, for kernels that cannot confine signals, and
-    ``refuse_modes_and_times`` the calls that change those of files, for where the files of the
+    ``keep_modes_and_times`` lets those of files stay as they are, for where the files of the
     instructor can be named.
     """
     known = _ARCHITECTURES.get(platform.machine())
     if known is None:
         return None
     architecture, column = known
-    refuse, absent = _fail(errno.EPERM), _fail(errno.ENOSYS)
+    refuse, absent, do_nothing = _fail(errno.EPERM), _fail(errno.ENOSYS), _fail(0)
     numbers = [entry[column] for entry in _REFUSED.values() if entry[column] is not None]
-    if refuse_modes_and_times:
-        numbers += [entry[column] for entry in _FILE_MODES_AND_TIMES.values()]
-        numbers = [number for number in numbers if number is not None]
+    kept = [entry[column] for entry in _FILE_MODES_AND_TIMES.values()]
+    if keep_modes_and_times:
+        numbers.append(_TRUNCATE[column])
     if refuse_thread_signals:
         numbers.append(_TGKILL[column])
     program = [
@@ -252,6 +254,9 @@ def build_filter(
     program += [_do(_AT_LEAST, _YOUNGEST, otherwise=1), absent]
     for number in numbers:
         program += [_do(_EQUAL, int(number or 0), otherwise=1), refuse]
+    for number in kept if keep_modes_and_times else ():
+        if number is not None:
+            program += [_do(_EQUAL, number, otherwise=1), do_nothing]
     # The C library falls back to clone, whose flags can be looked at.
     program += [_do(_EQUAL, _CLONE3[column], otherwise=1), absent]
     program += _for_call(

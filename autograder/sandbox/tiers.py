@@ -24,7 +24,7 @@ _TRIAL_PROCESSES = 6
 _TRIAL_BOMB = 66  # so many would mean that there is no limit; what the user runs may vary meanwhile
 _TRIAL_SECONDS = 20.0
 _CELL = """
-import fcntl, os, socket, time
+import fcntl, os, shutil, socket, time
 def attempt(action):
     try:
         return action()
@@ -54,7 +54,12 @@ def send_a_signal():
         fcntl.fcntl(socket.socketpair()[0], fcntl.F_SETOWN, {grader})
     return True
 def change_a_file():
-    # The canary is the grader's: the right to change it must be refused, not only be missing.
+    # The canary is the grader's: the right to change it must be refused, not only be missing, or
+    # the call must do nothing.
+    def state():
+        found = [os.stat(path) for path in ({canary!r}, {folder!r})]
+        return [(s.st_mode, s.st_mtime_ns, s.st_size, s.st_uid) for s in found]
+    before = state()
     for change in (
         lambda: os.chmod({canary!r}, 0o777),
         lambda: os.chmod({folder!r}, 0),
@@ -69,8 +74,9 @@ def change_a_file():
         try:
             change()
         except OSError:
-            continue
-        return True
+            pass
+        if state() != before:
+            return True
     return False
 def call_the_kernel():
     # What no notebook has a use for; each call with arguments that can do no harm.
@@ -97,7 +103,9 @@ def work():
     if child == 0:
         os._exit(7)
     forked = os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]) == 7
-    return forked and open("trial", "w").write("x") == 1 and numpy.arange(3).sum() == 3
+    open("trial", "w").write("x")
+    copied = open(shutil.copy("trial", "copy")).read() == "x"
+    return forked and copied and numpy.arange(3).sum() == 3
 works = attempt(work)
 limited = attempt(bomb)
 """
@@ -108,7 +116,10 @@ TRIALS = {
         ("FileNotFoundError", "PermissionError", "OSError"),
         "no file outside can be written",
     ),
-    "change_a_file": (("False",), "no mode, time or owner of a file outside can be changed"),
+    "change_a_file": (
+        ("False", "FileNotFoundError"),
+        "no mode, time or owner of a file outside can be changed",
+    ),
     "call_the_kernel": (("False",), "calls to the kernel that no notebook needs are refused"),
     "open_a_connection": (
         ("PermissionError", "OSError", "ConnectionRefusedError"),
@@ -119,7 +130,7 @@ TRIALS = {
     "limited": (("True",), "the number of processes is limited"),
     "works": (
         ("True",),
-        "numpy works, a process can be forked and the working folder can be written",
+        "numpy works, a process can be forked and files of one's own can be written and copied",
     ),
 }
 

@@ -24,6 +24,10 @@ def ransac_line(
     Raises ValueError if no sample gave a line, as when all points are equal or `iterations`
     is 0.
     """
+    if not isinstance(rng, np.random.Generator):
+        raise TypeError(f"Samples are drawn with a np.random.Generator, not with {rng!r}.")
+    if np.ma.is_masked(points):  # the mask would be dropped without a word
+        raise TypeError("Some points are masked; leave them out first.")
     best = np.array([], dtype=int)
     for _ in range(iterations):
         pair = rng.choice(len(points), size=2, replace=False)

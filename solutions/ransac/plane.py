@@ -24,6 +24,10 @@ def ransac_plane(
     Raises ValueError if no sample gave a plane, as when all points are on one line or
     `iterations` is 0.
     """
+    if not isinstance(rng, np.random.Generator):
+        raise TypeError(f"Samples are drawn with a np.random.Generator, not with {rng!r}.")
+    if np.ma.is_masked(points):  # the mask would be dropped without a word
+        raise TypeError("Some points are masked; leave them out first.")
     best = np.array([], dtype=int)
     for _ in range(iterations):
         a, b, c = points[rng.choice(len(points), size=3, replace=False)]

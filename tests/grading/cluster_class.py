@@ -10,7 +10,7 @@ import sqlite3
 import subprocess
 import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import closing
 from pathlib import Path
 
@@ -138,20 +138,25 @@ def free_port() -> int:
 class Lab:
     """A scheduler and workers, started as people start them, each worker with its own oddities."""
 
-    def __init__(self, root: Path, **environment: str) -> None:
-        self.root, self.environment = root, environment
+    def __init__(
+        self, root: Path, host: str = "127.0.0.1", scheme: str = "tcp", **environment: str
+    ) -> None:
+        self.root, self.host, self.environment = root, host, environment
         self.port = free_port()
-        self.address = f"tcp://127.0.0.1:{self.port}"
+        self.address = f"{scheme}://{host}:{self.port}"
         self.processes: list[subprocess.Popen[bytes]] = []
 
-    def scheduler(self) -> subprocess.Popen[bytes]:
-        where = ["--host", "127.0.0.1", "--port", str(self.port), "--no-dashboard"]
-        process = self._start("distributed.cli.dask_scheduler", *where)
+    def scheduler(self, *more: str, on: Sequence[str] = ()) -> subprocess.Popen[bytes]:
+        """``on`` stands before the command, to have it run on another host."""
+        where = ["--host", self.host, "--port", str(self.port), "--no-dashboard", *more]
+        process = self._start("distributed.cli.dask_scheduler", *where, on=on)
         wait_until(lambda: self._answers() or process.poll() is not None)
         assert process.poll() is None
         return process
 
-    def worker(self, name: str, odd: str = "", **environment: str) -> subprocess.Popen[bytes]:
+    def worker(
+        self, name: str, odd: str = "", on: Sequence[str] = (), **environment: str
+    ) -> subprocess.Popen[bytes]:
         """A worker with one slot; ``odd`` is code that it runs before anything else."""
         if odd:
             folder = self.root / f"odd-{name}"
@@ -161,6 +166,7 @@ class Lab:
         return self._start(
             "distributed.cli.dask_worker",
             *(self.address, "--name", name, "--nthreads", "1", "--no-nanny", "--no-dashboard"),
+            on=on,
             **environment,
         )
 
@@ -169,10 +175,12 @@ class Lab:
             process.kill()
             process.wait()
 
-    def _start(self, module: str, *arguments: str, **environment: str) -> subprocess.Popen[bytes]:
+    def _start(
+        self, module: str, *arguments: str, on: Sequence[str] = (), **environment: str
+    ) -> subprocess.Popen[bytes]:
         log = (self.root / f"{module}-{len(self.processes)}.log").open("wb")
         process = subprocess.Popen(
-            [sys.executable, "-m", module, *arguments],
+            [*on, sys.executable, "-m", module, *arguments],
             cwd=self.root / "course",
             env={**os.environ, "PYTHONPATH": str(REPOSITORY), **self.environment, **environment},
             stdout=log,
@@ -184,4 +192,4 @@ class Lab:
 
     def _answers(self) -> bool:
         with socket.socket() as line:
-            return line.connect_ex(("127.0.0.1", self.port)) == 0
+            return line.connect_ex((self.host, self.port)) == 0

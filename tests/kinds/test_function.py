@@ -302,6 +302,10 @@ def test_numbers_agree_to_six_digits(value, off):
         (1 + 2j, 1 + 2j, True),
         (1 + 2j, 1 - 2j, False),
         (1.0, 1.0 + 0j, True),
+        (10**9, float(10**9 + 1), False),
+        (np.array([10**9, 2]), np.array([10.0**9 + 1, 2.0]), False),
+        ([3, 4], [3.0, 4.0 + 1e-9], True),
+        (10**30, 10**30 + 1, False),
     ],
 )
 def test_the_default_comparison_by_example(expected, actual, agrees):

@@ -15,8 +15,9 @@ from autograder.reports.class_csv import write_class_csv
 from autograder.reports.class_html import class_html
 from autograder.reports.files import cell, file_name
 from autograder.reports.statistics import (
+    FEWEST,
+    Together,
     common_mistakes,
-    correlation,
     question_statistics,
     who_needs_help,
 )
@@ -76,8 +77,24 @@ def test_wrong_responses_that_no_mistake_names_are_counted(course: Course):
 def test_a_few_submissions_are_no_evidence(course: Course):
     records = class_of(*[(1, 1, 0, 1), (0, 0, 1, 0)] * 2)
     assert all(not s.troubles for s in question_statistics(course, records))
-    assert correlation(np.array([1.0, 2.0]), np.array([1.0, 2.0])) is None
-    assert correlation(np.ones(20), np.arange(20.0)) is None
+    together = Together(2)
+    for n in range(FEWEST - 1):
+        together.add(np.array([n, 1.0]), np.array([n, n]))
+    assert together.correlations() == [None, None]  # too few
+    together.add(np.array([0.0, 1.0]), np.array([5.0, 5.0]))
+    first, second = together.correlations()
+    assert first is not None
+    assert second is None  # what never varies
+
+
+def test_correlations_that_are_gathered_are_those_of_the_whole():
+    rng = np.random.default_rng(3)
+    rows = rng.normal(1e6, 1.0, (200, 2, 5))
+    together = Together(5)
+    for row in rows:
+        together.add(*row)
+    wanted = [np.corrcoef(rows[:, 0, n], rows[:, 1, n])[0, 1] for n in range(5)]
+    assert together.correlations() == pytest.approx(wanted, abs=1e-9)
 
 
 def test_mistakes_are_counted_by_name_and_the_most_common_is_first(course: Course):

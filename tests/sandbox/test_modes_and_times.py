@@ -37,19 +37,50 @@ def reduced_lab(course: Course):
 
 @pytest.mark.parametrize("change", CHANGES.values(), ids=CHANGES)
 def test_not_even_the_students_own_file_can_be_changed_in_the_reduced_tier(reduced_lab, change):
-    """On their own files, since only there would nothing else than the filter refuse it."""
+    """On their own files, since only there would nothing else than the filter keep them."""
+    code = f"""
+import os
+open('f', 'w').write('abc')
+def state():
+    return [(s.st_mode, s.st_mtime_ns, s.st_size, s.st_uid) for s in map(os.stat, ('f', '.'))]
+before = state()
+try:
+    {change}
+    found = 'kept'
+except (PermissionError, NotImplementedError):
+    found = 'kept'
+except OSError as error:
+    found = str(error)
+if state() != before:
+    found = 'changed'
+"""
+    assert reduced_lab.value(code) == "kept"
+
+
+@pytest.mark.parametrize("change", ["setxattr", "chown", "truncate", "acl"])
+def test_what_honest_work_never_does_is_refused(reduced_lab, change):
     code = f"""
 import os
 open('f', 'w').write('abc')
 try:
-    {change}
-    found = 'changed'
-except (PermissionError, NotImplementedError):
+    {CHANGES[change]}
+    found = 'done'
+except PermissionError:
     found = 'refused'
-except OSError as error:
-    found = str(error)
 """
     assert reduced_lab.value(code) == "refused"
+
+
+@pytest.mark.parametrize("copy", ["copy", "copy2", "copytree", "move"])
+def test_honest_work_copies_its_files(lab, copy):
+    code = f"""
+import os, shutil
+os.mkdir('from')
+open('from/f', 'w').write('abc')
+shutil.{copy}('from' if {copy!r} == 'copytree' else 'from/f', 'to')
+found = open('to/f' if {copy!r} == 'copytree' else 'to').read()
+"""
+    assert lab.value(code) == "abc"
 
 
 def test_files_can_still_be_written_emptied_and_moved(reduced_lab):

@@ -1,5 +1,7 @@
 """Input that is not meant is refused in one sentence, or understood; never misread."""
 
+from functools import partial
+
 import numpy as np
 import pytest
 
@@ -12,6 +14,9 @@ from solutions.place_recognition import (
     descend_tree,
     extract_features,
 )
+from solutions.ransac.line import ransac_line
+from solutions.ransac.plane import ransac_plane
+from solutions.ransac.walls import find_walls
 
 
 @pytest.mark.parametrize("kind", [np.uint8, np.int8, np.int16, np.float16])
@@ -35,6 +40,29 @@ def test_masked_points_are_not_used_behind_the_readers_back():
         fit_plane(points)
     with pytest.raises(ValueError, match="masked; leave them out"):
         fit_line(points[:, :2])
+
+
+@pytest.mark.parametrize("rng", [None, 7, np.random])
+@pytest.mark.parametrize(("ransac", "axes"), [(ransac_line, 2), (ransac_plane, 3)])
+def test_samples_are_not_drawn_with_anything_but_a_generator(ransac, axes, rng):
+    points = np.random.default_rng(0).normal(size=(9, axes))
+    with pytest.raises(TypeError, match=r"drawn with a np\.random\.Generator, not"):
+        ransac(points, 0.1, 5, rng)
+
+
+def test_ransac_does_not_drop_a_mask():
+    rng = np.random.default_rng(0)
+    points = np.ma.array(rng.normal(size=(9, 3)))
+    points[4] = np.ma.masked
+    for look in (ransac_plane, ransac_line, partial(find_walls, min_points=2)):
+        axes = 3 if look is ransac_plane else 2
+        with pytest.raises(TypeError, match="masked; leave them out"):
+            look(points[:, :axes], threshold=0.1, iterations=5, rng=rng)
+
+
+def test_walls_are_not_looked_for_without_a_generator():
+    with pytest.raises(TypeError, match="not with None"):
+        find_walls(np.random.default_rng(0).normal(size=(9, 2)), 0.1, 5, 3, None)  # type: ignore[arg-type]
 
 
 def test_a_negative_deviation_is_refused():

@@ -13,6 +13,7 @@ from autograder.intake.handout import Handout
 from autograder.intake.origin import Origin, Piece
 from autograder.intake.person import Person
 from autograder.intake.place import Place, is_notebook_name, is_system, is_zip
+from autograder.intake.shelf import Shelf
 
 
 @dataclass(frozen=True)
@@ -55,7 +56,7 @@ class Found:
 
     layout: str = ""
     rule: str = ""
-    entries: list[Entry] = field(default_factory=list)
+    entries: Shelf[Entry] = field(default_factory=lambda: Shelf(Entry))
     passed_over: list[PassedOver] = field(default_factory=list)
     warnings: list[str] = field(default_factory=list)
 

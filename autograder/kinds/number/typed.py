@@ -27,13 +27,12 @@ def read_number(text: str, variables: Mapping[str, Any]) -> int | float:
     Raises:
         UsageError: if it is not understood; the sentence says at which point.
     """
-    tree = parse(text)
-    if isinstance(tree, ast.Tuple):
-        raise UsageError("Write one number, with a point for the decimals: 0.5, not 0,5.")
-
     functions: dict[str, Callable[..., Any]] = {name: getattr(math, name) for name in _OF_MATH}
     functions |= {"abs": abs, "round": round}
     functions |= {"comb": _count(math.comb), "perm": _count(math.perm)}
+    tree = parse(text, functions)
+    if isinstance(tree, ast.Tuple):
+        raise UsageError("Write one number, with a point for the decimals: 0.5, not 0,5.")
 
     def name(id: str) -> Any:
         if id in ("pi", "e"):
@@ -46,7 +45,7 @@ def read_number(text: str, variables: Mapping[str, Any]) -> int | float:
     try:
         value = value_of(tree, name, functions)
     except (ArithmeticError, ValueError, TypeError) as error:
-        raise UsageError(f"This has no value: {error}.") from None
+        raise UsageError(f"This has no value: {str(error).rstrip('.')}.") from None
     if isinstance(value, bool | complex) or not isinstance(value, int | float):
         raise UsageError("This is not a number.")
     if (isinstance(value, int) and value.bit_length() > 1000) or not math.isfinite(value):

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from autograder.errors import UsageError
+from autograder.exchange.printable import printable
 from autograder.kinds.choice import ChoiceKind
 from autograder.kinds.mark import Mark, not_attempted
 from autograder.kinds.text import question as asked
@@ -49,7 +50,7 @@ class TextKind(ChoiceKind[Text, TextAnswer]):
             return not_attempted(question)
         # One that is too long was not written in the field; whoever marks it sees that it is cut.
         said = response if len(response) <= asked.MOST else response[: asked.MOST] + " …"
-        printable = "".join(c if c.isprintable() or c == "\n" else " " for c in said)
+        shown = printable(said, " ", keep="\n")
         return Mark(
             question.id,
             "recorded",
@@ -57,7 +58,7 @@ class TextKind(ChoiceKind[Text, TextAnswer]):
             question.points,
             "Kept. A person will mark it.",
             explanation=answer.explanation,
-            understood=printable,
+            understood=shown,
         )
 
     def lines(self, question: Text, response: Any) -> list[str]:

@@ -18,6 +18,7 @@ from email.utils import format_datetime, localtime, make_msgid
 
 from autograder.course import Course
 from autograder.errors import AutograderError
+from autograder.exchange.printable import printable
 from autograder.gradebook.record import Record
 from autograder.intake.person import Person
 from autograder.reports.files import file_name
@@ -130,4 +131,4 @@ def _address(name: str, email: str) -> Address | None:
 
 
 def _line(text: str) -> str:
-    return " ".join("".join(c if c.isprintable() else " " for c in text).split())
+    return " ".join(printable(text, " ").split())

@@ -110,7 +110,7 @@ class Zygote:
             seccomp.build_filter(
                 refuse_thread_signals=not landlock.confines_signals(),
                 # Files outside can be named here, and Landlock governs neither.
-                refuse_modes_and_times=not how.alone,
+                keep_modes_and_times=not how.alone,
             )
             if how.use_seccomp
             else None

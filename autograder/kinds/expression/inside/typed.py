@@ -46,7 +46,6 @@ def read_expression(question: Expression, text: str) -> Any:
     Raises:
         UsageError: if it is not understood; the sentence says at which point.
     """
-    tree = parse(text)
     import sympy as sp
 
     symbols = {symbol: sp.Symbol(symbol, real=True) for symbol in question.symbols}
@@ -59,6 +58,7 @@ def read_expression(question: Expression, text: str) -> Any:
         "arctan2": sp.atan2,
     }
     functions |= {"arcsin": sp.asin, "arccos": sp.acos}
+    tree = parse(text, functions)
 
     def name(id: str) -> Any:
         if id in symbols:
@@ -70,4 +70,4 @@ def read_expression(question: Expression, text: str) -> Any:
     try:
         return sp.sympify(value_of(tree, name, functions, number=sp.sympify))
     except (ArithmeticError, ValueError, TypeError) as error:
-        raise UsageError(f"This is not a formula: {error}.") from None
+        raise UsageError(f"This is not a formula: {str(error).rstrip('.')}.") from None
