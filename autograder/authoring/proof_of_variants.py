@@ -71,6 +71,8 @@ def _problems(course: Course, id: str, variant: int, numbers: dict[str, Any]) ->
                 f"the alternative {alternative.name!r} is taken for {mark.alternative!r}; "
                 "leave these numbers out, or correct it."
             )
+    if variant:  # the sheet's own is what it is
+        yield from kind.poor_draw(question, answer)
     if kind.formulas:
         yield from _weak_numbers(course, question, answer, numbers)
 

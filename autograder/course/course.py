@@ -175,7 +175,10 @@ class Course:
 
     def _answer(self, question: Question) -> Answer:
         text, tables = self.answer_tables[question.chapter]
-        return answer_from_table(tables[question.id], question, text, self.numbers(question.id))
+        table = tables[question.id]
+        if question.id in self.varied:
+            table = self.varied[question.id].key(table, self.variants.get(question.id, 0))
+        return answer_from_table(table, question, text, self.numbers(question.id))
 
     @cached_property
     def answer_tables(self) -> dict[str, tuple[str, dict[str, Any]]]:

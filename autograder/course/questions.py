@@ -9,6 +9,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
+from autograder.course.draws import FIELD, drawn, read_draws
 from autograder.course.filling import fill
 from autograder.kinds.question import Question
 from autograder.kinds.registry import has_kind, kind_named, kind_names
@@ -43,8 +44,30 @@ class Written:
         """
         if self.variables is None:
             return question_from_table(self.table, self.chapter, self.text, self.position)
-        filled = fill(self.table, self.variables.numbers(variant))
+        numbers = self.variables.numbers(variant)
+        filled = fill(self.table, numbers)
+        if FIELD in self.table:
+            listed = kind_named(self.table["kind"]).drawn_fields[0]
+            filled = drawn(filled, listed, self.table[FIELD], numbers)
         return question_from_table(filled, self.chapter, self.text, self.position)
+
+    def key(self, table: Any, variant: int) -> Any:
+        """The table of its key with what belongs to a variant, where some entries are drawn.
+
+        Raises:
+            CourseError: if the key does not have as many entries as the question.
+        """
+        if self.variables is None or FIELD not in self.table or not isinstance(table, dict):
+            return table
+        listed, keyed = kind_named(self.table["kind"]).drawn_fields
+        if not keyed:
+            return table
+        asked, known = len(self.table[listed]), table.get(keyed)
+        if isinstance(known, list) and len(known) != asked:
+            raise self.place.error(
+                f"it has {asked} {listed}, but its key {len(known)} [[{keyed}]] tables"
+            )
+        return drawn(table, keyed, self.table[FIELD], self.variables.numbers(variant))
 
     @classmethod
     def read(
@@ -62,6 +85,14 @@ class Written:
         """
         written = cls(table, chapter, text, position)
         story, own = table.get("story"), table.get("variables")
+        if FIELD in table and (story or own is not None):
+            raise written.place.error("it has variables; remove them or draws", (FIELD,))
+        if FIELD in table:
+            kind = table.get("kind")
+            if not isinstance(kind, str) or not has_kind(kind):
+                return written  # reading the question says so
+            listed = kind_named(kind).drawn_fields[0]
+            return replace(written, variables=read_draws(table, listed, written.place))
         if isinstance(story, str) and story:
             if story not in stories:
                 raise written.place.error(f"there is no [story.{story}] in this file", ("story",))

@@ -41,6 +41,8 @@ class Kind(ABC, Generic[Q, A]):
     inside: ClassVar[str] = ""
     # The fields of its key that are formulas of a question's variables, where it has any.
     formulas: ClassVar[tuple[str, ...]] = ()
+    # The list in its question of which ``draws`` may choose, and the list in its key beside it.
+    drawn_fields: ClassVar[tuple[str, str]] = ("", "")
     # Whether each part of a response is a small question of its own, with its own feedback, so that
     # what is wrong is told by the part and not by the alternative that matched.
     parts_stand_alone: ClassVar[bool] = False
@@ -187,6 +189,10 @@ class Kind(ABC, Generic[Q, A]):
     def response_like(self, question: Q, alternative: Alternative, drawn: Drawn) -> Any:
         """A response that is this alternative, as `mark` takes it; None if there is none."""
         return None
+
+    def poor_draw(self, question: Q, answer: A) -> Iterator[str]:
+        """Why what was drawn for a variant is a poor choice, if it is."""
+        yield from ()
 
     # -- kept back, and handed out ---------------------------------------------------------------
 

@@ -10,7 +10,7 @@ from autograder.kinds.choice import ChoiceKind
 from autograder.kinds.mark import Mark
 from autograder.kinds.order import response as given
 from autograder.kinds.order.answer import OrderAnswer, check_order
-from autograder.kinds.order.marking import mark_order, transitive_closure
+from autograder.kinds.order.marking import is_right, mark_order, transitive_closure
 from autograder.kinds.order.question import Order
 
 
@@ -19,11 +19,16 @@ class OrderKind(ChoiceKind[Order, OrderAnswer]):
 
     name = "order"
     parts_heading = "Cards"
+    drawn_fields = ("cards", "")
     question_type = Order
     answer_type = OrderAnswer
 
     def check_answer(self, question: Order, answer: OrderAnswer) -> None:
         check_order(question, answer)
+
+    def poor_draw(self, question: Order, answer: OrderAnswer) -> Iterator[str]:
+        if is_right(question.start, answer):
+            yield "its cards are dealt in a right order; deal them otherwise."
 
     def fits(self, question: Order, response: Any) -> bool:
         return given.fits(question, response)

@@ -17,6 +17,13 @@ from autograder.kinds.order.question import Order
 from autograder.kinds.order.response import fits
 
 
+def is_right(order: Sequence[str], answer: OrderAnswer) -> bool:
+    """Whether an order of all card ids needs no card moved."""
+    after = transitive_closure(answer.before)
+    exchanged = _exchanges(tuple(order), answer.interchangeable)
+    return any(fewest_moves(cards, after) == 0 for cards in exchanged)
+
+
 def mark_order(question: Order, answer: OrderAnswer, response: Any) -> Mark:
     """Credit ``max(0, 1 - 2*moves/n)``; the untouched start order is not attempted.
 

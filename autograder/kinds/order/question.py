@@ -22,6 +22,10 @@ class Order(PointedQuestion, frozen=True, kw_only=True, tag="order"):
 
     kind = "order"
     cards: Annotated[tuple[Card, ...], Meta(min_length=2)]
+    draws: Annotated[
+        tuple[tuple[int, ...], ...],
+        Meta(description="orders in which the cards may be dealt, by number; the sheet's first"),
+    ] = ()
 
     def __post_init__(self) -> None:
         super().__post_init__()

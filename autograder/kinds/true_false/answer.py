@@ -9,11 +9,16 @@ from autograder.kinds.written import Text, Written
 
 
 class Statement(Written, frozen=True, kw_only=True):
-    """The truth of one statement, why, and what somebody who says the opposite has in mind."""
+    """The truth of one statement, why, and what somebody who says the opposite has in mind.
+
+    Of statements with the same ``topic`` one contradicts another or gives it away, so that no
+    student gets two of them.
+    """
 
     truth: bool
     explanation: Text
     misconception: Text
+    topic: str = ""
 
 
 class TrueFalseAnswer(Answer, frozen=True, kw_only=True):

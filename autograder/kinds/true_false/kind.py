@@ -18,6 +18,7 @@ class TrueFalseKind(ChoiceKind[TrueFalse, TrueFalseAnswer]):
 
     name = "true_false"
     parts_stand_alone = True
+    drawn_fields = ("statements", "statement")
     question_type = TrueFalse
     answer_type = TrueFalseAnswer
 
@@ -69,6 +70,17 @@ class TrueFalseKind(ChoiceKind[TrueFalse, TrueFalseAnswer]):
 
     def other_mistakes(self, question: TrueFalse, mark: Mark) -> list[str]:
         return []
+
+    def poor_draw(self, question: TrueFalse, answer: TrueFalseAnswer) -> Iterator[str]:
+        true = sum(statement.truth for statement in answer.statements)
+        if not 0 < true < len(answer.statements):
+            yield "all its statements are true, or all are false; mix them."
+        topics = [statement.topic for statement in answer.statements if statement.topic]
+        for topic in sorted({topic for topic in topics if topics.count(topic) > 1}):
+            yield (
+                f"two of its statements are about {topic!r}, and one may give the other away; "
+                "draw only one of them."
+            )
 
     def solution(self, answer: TrueFalseAnswer) -> str:
         return repr([statement.truth for statement in answer.statements])

@@ -15,6 +15,10 @@ class TrueFalse(Question, frozen=True, kw_only=True, tag="true_false"):
 
     kind = "true_false"
     statements: Annotated[tuple[Text, ...], Meta(min_length=1)]
+    draws: Annotated[
+        tuple[tuple[int, ...], ...],
+        Meta(description="which statements a student may get, by number; the sheet's first"),
+    ] = ()
 
     @property
     def points(self) -> float:
