@@ -41,11 +41,6 @@ def test_who_sleeps_or_loops_for_ever_is_stopped_for_good(best_sandbox, code):
     assert not doubt.is_doubtful
 
 
-def test_who_starts_too_many_processes_is_stopped_for_good(best_sandbox):
-    _, doubt = stop_of(best_sandbox, FORKS)
-    assert not doubt.is_doubtful
-
-
 def test_a_clock_that_runs_out_before_the_students_own_time_leaves_a_doubt(
     best_sandbox, monkeypatch
 ):
