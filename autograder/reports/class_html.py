@@ -31,11 +31,11 @@ from autograder.reports.svg import (
 )
 
 _BANDS = (
-    (("right",), "right", BLUE),
-    (("partial",), "partly right", ORANGE),
-    (("wrong",), "wrong", RED),
-    (STOPPED, "exception, limit or unreadable", PURPLE),
-    (("not attempted", "recorded"), "not attempted", GREY),
+    (("right",), "right", BLUE, ""),
+    (("partial",), "partly right", ORANGE, "rising"),
+    (("wrong",), "wrong", RED, "crossed"),
+    (STOPPED, "exception, limit or unreadable", PURPLE, "dotted"),
+    (("not attempted", "recorded"), "not attempted", GREY, "level"),
 )
 _MOST_MISTAKES = 20
 
@@ -119,10 +119,12 @@ def _broken(statistics: Sequence[QuestionStatistics], count: int) -> str:
 
 
 def _questions(statistics: Sequence[QuestionStatistics]) -> str:
-    key = "".join(f"<li>{swatch(colour)}{name}</li>" for _, name, colour in _BANDS)
+    key = "".join(
+        f"<li>{swatch(colour, texture)}{name}</li>" for _, name, colour, texture in _BANDS
+    )
     rows = []
     for entry in statistics:
-        counts = [sum(entry.statuses[s] for s in band) for band, _, _ in _BANDS]
+        counts = [sum(entry.statuses[s] for s in band) for band, *_ in _BANDS]
         rows.append(
             [
                 f"{text(entry.question.id)} {inline(entry.question.title)}",
@@ -158,10 +160,11 @@ def _bands(statistics: Sequence[QuestionStatistics]) -> str:
     for index, entry in enumerate(statistics):
         count = max(1, sum(entry.statuses.values()))
         start = 0.0
-        for band, _, colour in _BANDS:
+        for band, _, colour, texture in _BANDS:
             share = 100 * sum(entry.statuses[status] for status in band) / count
             if share:
-                chart.box(start, index + 0.12, start + share, index + 0.88, colour)
+                end = start + share
+                chart.box(start, index + 0.12, end, index + 0.88, colour, texture)
             start += share
         chart.label(58, chart.y(index + 0.5) + 4, entry.question.id, "end")
         said.append(f"{entry.question.id} {100 * entry.statuses['right'] / count:.0f} % right")

@@ -12,7 +12,7 @@ from autograder.kinds.registry import kind_of
 from autograder.kinds.status import Status
 from autograder.marking import Mark, Part
 from autograder.reports.machine import most_for
-from autograder.reports.markdown import inline, markdown, text
+from autograder.reports.markdown import inline, markdown, person, text
 from autograder.reports.page import page
 from autograder.reports.pictures import Pictures
 from autograder.reports.svg import bar
@@ -37,7 +37,7 @@ def feedback_html(shared: Feedback, record: Record) -> str:
     share = record.total / most if most else 0.0
     so_far = " so far" if record.open else ""
     header = [
-        f"<h1>Feedback for {text(record.name)}</h1>",
+        f"<h1>Feedback for {person(record.name)}</h1>",
         f'<p class="total"><strong>{record.total:g}</strong> of {most:g} points{so_far}</p>',
         bar(share, f"{100 * share:.0f} percent of the points"),
     ]

@@ -60,6 +60,11 @@ def text(value: str) -> str:
     return escape(readable(value))
 
 
+def person(value: str) -> str:
+    """Somebody's name as HTML: one written from right to left does not turn what is around it."""
+    return f"<bdi>{text(value)}</bdi>"
+
+
 def readable(value: str) -> str:
     """Text whose control characters, except line breaks, are shown as a replacement sign."""
     return printable(value, "�", keep="\n")

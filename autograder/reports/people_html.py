@@ -12,6 +12,7 @@ from autograder.gradebook.record import Names
 from autograder.gradebook.view import ClassView
 from autograder.reports.files import file_name
 from autograder.reports.gather import MOST_NAMED, ClassFindings, Section
+from autograder.reports.markdown import person as person_html
 from autograder.reports.markdown import text
 from autograder.reports.page import table
 from autograder.reports.statistics import Needy
@@ -30,7 +31,7 @@ class Links:
         """A link to a student's page, or to a question there."""
         address = f"feedback/{quote(file_name(student))}.html"
         place = f"#{quote(anchor.replace('.', '-'))}" if anchor else ""
-        shown = text(said or self._names[student])
+        shown = text(said) if said else person_html(self._names[student])
         return f'<a href="{address}{place}">{shown}</a>'
 
     def all(
@@ -124,10 +125,10 @@ def to_do_html(view: ClassView, found: ClassFindings, links: Links) -> str:
         parts.append(table(caption, ["student", "questions"], rows, set()))
     if view.missing:
         named = [
-            f"{person.text()}{f', {person.section}' if person.section else ''}"
+            person_html(person.text()) + (f", {text(person.section)}" if person.section else "")
             for person in sorted(view.missing, key=lambda p: (p.section, p.name))
         ]
-        said = "; ".join(map(text, named))
+        said = "; ".join(named)
         parts.append(f"<p><strong>{len(named)} handed in nothing:</strong> {said}.</p>")
     if found.groups.count:
         said = "; ".join(map(links.to, found.groups.first))

@@ -14,6 +14,13 @@ from autograder.reports.markdown import text
 BLUE, ORANGE, RED, GREEN, PURPLE = "var(--blue)", "#E69F00", "#D55E00", "#009E73", "#CC79A7"
 GREY, DARK, LINE = "var(--grey)", "var(--dark)", "var(--line)"
 _ids = count(1)
+# What is drawn over a colour, in a tile of 6 by 6 pixels, so that areas differ by more than hue.
+TEXTURES = {
+    "rising": "M0 6L6 0M-1 1L1 -1M5 7L7 5",
+    "crossed": "M0 6L6 0M0 0L6 6",
+    "dotted": "M2 3h2",
+    "level": "M0 3h6",
+}
 
 
 @dataclass
@@ -31,6 +38,7 @@ class Chart:
 
     def __post_init__(self) -> None:
         self._parts: list[str] = []
+        self._textures: dict[str, str] = {}  # the identifiers of those in use
 
     def x(self, value: float) -> float:
         """The pixel column of a value."""
@@ -44,14 +52,21 @@ class Chart:
         inner = self.height - self.top - self.bottom
         return round(self.height - self.bottom - (value - low) / (high - low) * inner, 2)
 
-    def box(self, x0: float, y0: float, x1: float, y1: float, colour: str) -> None:
-        """A filled rectangle between two corners in data coordinates."""
+    def box(
+        self, x0: float, y0: float, x1: float, y1: float, colour: str, texture: str = ""
+    ) -> None:
+        """A filled rectangle between two corners in data coordinates, with one of `TEXTURES`."""
         left, right = sorted((self.x(x0), self.x(x1)))
         top, bottom = sorted((self.y(y0), self.y(y1)))
-        self._parts.append(
+        place = (
             f'<rect x="{left}" y="{top}" width="{max(right - left, 0):.2f}" '
-            f'height="{max(bottom - top, 0):.2f}" fill="{colour}" stroke="var(--paper)"/>'
+            f'height="{max(bottom - top, 0):.2f}"'
         )
+        self._parts.append(f'{place} fill="{colour}" stroke="var(--paper)"/>')
+        if texture:
+            if texture not in self._textures:
+                self._textures[texture] = f"x{next(_ids)}"
+            self._parts.append(f'{place} fill="url(#{self._textures[texture]})"/>')
 
     def line(
         self, points: Iterable[tuple[float, float]], colour: str, width: float = 2, dash: str = ""
@@ -101,11 +116,17 @@ class Chart:
     def svg(self, title: str, description: str) -> str:
         """The finished picture; ``description`` says in words what it shows."""
         number = next(_ids)
+        patterns = "".join(
+            f'<pattern id="{identifier}" width="6" height="6" patternUnits="userSpaceOnUse">'
+            f"{_strokes(texture)}</pattern>"
+            for texture, identifier in self._textures.items()
+        )
+        defined = f"<defs>{patterns}</defs>" if patterns else ""
         return (
             f'<svg role="img" aria-labelledby="t{number} d{number}" '
             f'viewBox="0 0 {self.width:g} {self.height:g}" width="{self.width:g}" '
             f'height="{self.height:g}"><title id="t{number}">{text(title)}</title>'
-            f'<desc id="d{number}">{text(description)}</desc>{"".join(self._parts)}</svg>'
+            f'<desc id="d{number}">{text(description)}</desc>{defined}{"".join(self._parts)}</svg>'
         )
 
 
@@ -150,9 +171,20 @@ def bar(share: float, title: str, colour: str = BLUE) -> str:
     )
 
 
-def swatch(colour: str) -> str:
-    """A small square of a colour, for a key."""
+def swatch(colour: str, texture: str = "") -> str:
+    """A small square of a colour, with one of `TEXTURES`, for a key."""
+    tiles = "".join(
+        f'<g transform="translate({x} {y})">{_strokes(texture)}</g>'
+        for x in (0, 6)
+        for y in (0, 6)
+        if texture
+    )
     return (
         '<svg aria-hidden="true" viewBox="0 0 12 12" width="12" height="12">'
-        f'<rect width="12" height="12" rx="2" fill="{colour}"/></svg>'
+        f'<rect width="12" height="12" rx="2" fill="{colour}"/>{tiles}</svg>'
     )
+
+
+def _strokes(texture: str) -> str:
+    width = 2 if texture == "dotted" else 1.2
+    return f'<path d="{TEXTURES[texture]}" stroke="var(--paper)" stroke-width="{width}"/>'

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import re
 from pathlib import Path
 
 import numpy as np
@@ -152,6 +153,24 @@ def test_the_class_page_can_be_written_for_any_class(course: Course):
         page = class_html(course, records, None)
         assert "nan" not in page.replace("tenant", "")
         assert page.endswith("</html>\n")
+
+
+def test_the_bands_of_the_verdicts_differ_by_more_than_colour(course: Course):
+    page = class_html(course, class_of(*[(1, 0.5, 0, 0)] * 12), None)
+    chart = page[page.index("Verdicts for each question") :]
+    chart, key = chart[: chart.index("</svg>")], chart[chart.index('<ul class="key">') :]
+    defined = set(re.findall(r'<pattern id="(\w+)"', chart))
+    assert len(defined) > 1
+    assert defined == set(re.findall(r'fill="url\(#(\w+)\)"', chart))
+    # Each band's square in the key has strokes of its own; that of what is right has none.
+    squares = [re.findall(r' d="([^"]+)"', item)[:1] for item in key.split("<li>")[1:6]]
+    assert squares[0] == []
+    assert len({str(square) for square in squares}) == 5
+
+
+def test_a_name_does_not_turn_what_stands_around_it(course: Course):
+    records = [Record(graded("שלמה (1)", mark("Q1", 0)), 1, 1)]
+    assert "<bdi>שלמה (1)</bdi></a>" in class_html(course, records, None)
 
 
 def test_a_hostile_class_changes_nothing_about_the_page(course: Course, tmp_path: Path):
