@@ -14,10 +14,10 @@ from autograder.cli.common import (
     add_class_list,
     add_json,
     add_out,
-    find_class_list,
     gradebook_path,
     load,
     print_json,
+    use_class_list,
 )
 from autograder.cli.status import DONE
 from autograder.errors import UsageError
@@ -61,7 +61,7 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
     path: Path = parsed.file or parsed.out / FILE
     proposed = "" if parsed.withdraw else _read(path)
     with Gradebook(gradebook_path(parsed), create=False) as book:
-        class_list = find_class_list(parsed, book)
+        class_list = use_class_list(parsed, book)
         before = view_class(course, book, class_list)
         after = view_class(course, book, class_list, proposed, str(path))
         rows = _differences(before, after)

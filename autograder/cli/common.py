@@ -107,7 +107,8 @@ def add_class_list(command: argparse.ArgumentParser) -> None:
         type=Path,
         metavar="FILE",
         help="a class list as Canvas, Moodle, Gradescope or GitHub Classroom exports it, or TOML "
-        "with the late policy (repeatable; default: the last ones given, or class.toml in --out)",
+        "with the late policy (repeatable; default: those last given to a "
+        "command that changes something, or class.toml in --out)",
     )
 
 
@@ -149,10 +150,7 @@ def find_class_list(parsed: argparse.Namespace, book: Gradebook | None) -> Class
     from autograder.intake.class_list import read_class_lists
 
     given: list[Path] = list(parsed.class_list or ())
-    if given:
-        if book is not None and not getattr(parsed, "dry_run", False):
-            book.set("class_list", json.dumps([str(path.resolve()) for path in given]))
-    elif book is not None:
+    if not given and book is not None:
         before = book.setting("class_list") or "[]"
         given = [Path(path) for path in (json.loads(before) if before[:1] == "[" else [before])]
     beside: Path = parsed.out / "class.toml"
@@ -161,6 +159,17 @@ def find_class_list(parsed: argparse.Namespace, book: Gradebook | None) -> Class
     places = [parsed.out, *(path.parent for path in given)]
     settled = next((p / "students.toml" for p in places if (p / "students.toml").exists()), None)
     return read_class_lists(given, settled)
+
+
+def use_class_list(parsed: argparse.Namespace, book: Gradebook) -> ClassList:
+    """As `find_class_list`; lists that are given are those of later commands too.
+
+    For commands that change something: one that only shows leaves the gradebook as it is.
+    """
+    class_list = find_class_list(parsed, book)
+    if parsed.class_list and not getattr(parsed, "dry_run", False):
+        book.set("class_list", json.dumps([str(path.resolve()) for path in parsed.class_list]))
+    return class_list
 
 
 def print_json(value: Any) -> None:

@@ -11,9 +11,9 @@ from autograder.cli.common import (
     Commands,
     add_class_list,
     add_out,
-    find_class_list,
     gradebook_path,
     load,
+    use_class_list,
 )
 from autograder.cli.status import DONE
 from autograder.errors import UsageError
@@ -45,7 +45,7 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
 
     course = load(parsed)
     with Gradebook(gradebook_path(parsed), create=False) as book:
-        class_list = find_class_list(parsed, book)
+        class_list = use_class_list(parsed, book)
         view = view_class(course, book, class_list)
         explanations = book.setting("explanations") == "yes"
     records = view.records

@@ -14,9 +14,9 @@ from autograder.cli.common import (
     Commands,
     add_class_list,
     add_out,
-    find_class_list,
     gradebook_path,
     load,
+    use_class_list,
 )
 from autograder.cli.status import BROKEN, DONE
 from autograder.errors import UsageError
@@ -79,7 +79,7 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
         raise UsageError("--smtp needs a sender: --from you@example.org.")
     course = load(parsed)
     with Gradebook(gradebook_path(parsed), create=False) as book:
-        view = view_class(course, book, find_class_list(parsed, book))
+        view = view_class(course, book, use_class_list(parsed, book))
         shared = feedback_of(view, book)
     chosen = [find_record(view.records, said) for said in parsed.student or ()] or view.records
     if said := require_current(course, chosen):

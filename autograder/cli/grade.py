@@ -11,9 +11,9 @@ from autograder.cli.common import (
     Commands,
     add_grading,
     add_layout,
-    find_class_list,
     gradebook_path,
     load,
+    use_class_list,
 )
 from autograder.errors import UsageError
 
@@ -46,5 +46,5 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
         if not path.exists():
             raise UsageError(f"There is nothing at {path}; name a file or folder that exists.")
     with Gradebook(gradebook_path(parsed), create=not parsed.dry_run) as book:
-        summary = take_in_paths(parsed, course, find_class_list(parsed, book), book)
+        summary = take_in_paths(parsed, course, use_class_list(parsed, book), book)
         return grade_and_report(parsed, console, course, book, summary, parsed.regrade)

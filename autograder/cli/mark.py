@@ -14,10 +14,10 @@ from autograder.cli.common import (
     add_class_list,
     add_json,
     add_out,
-    find_class_list,
     gradebook_path,
     load,
     print_json,
+    use_class_list,
 )
 from autograder.cli.status import DONE
 from autograder.errors import UsageError
@@ -53,7 +53,7 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
     course = load(parsed)
     question = course.question(parsed.question).id if parsed.question else None
     with Gradebook(gradebook_path(parsed), create=False) as book:
-        class_list = find_class_list(parsed, book)
+        class_list = use_class_list(parsed, book)
         items = open_items(view_class(course, book, class_list), question)
         if parsed.list or parsed.json:
             return _list(parsed, console, items)

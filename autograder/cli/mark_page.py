@@ -15,7 +15,7 @@ from rich.console import Console
 from autograder.errors import UsageError
 from autograder.gradebook import Gradebook
 from autograder.gradebook.by_hand import Item, give
-from autograder.reports.markdown import markdown, text
+from autograder.reports.markdown import isolated, markdown, text
 from autograder.reports.page import page
 
 MOST_BYTES = 200_000
@@ -150,7 +150,7 @@ class _Pages:
         if after in names:
             at = (names.index(after) + 1) % len(items)
         item = items[at]
-        who = "" if self._anonymous else f" · {text(item.record.name)}"
+        who = "" if self._anonymous else f" · {isolated(item.record.name)}"
         header = (
             f"<h1>{text(item.question.id)} · {text(item.question.title)}</h1>"
             f'<p class="soft">{at + 1} of {len(items)} that wait{who}. {text(item.why)}.</p>'

@@ -13,9 +13,9 @@ from autograder.cli.common import (
     Commands,
     add_class_list,
     add_out,
-    find_class_list,
     gradebook_path,
     load,
+    use_class_list,
 )
 from autograder.cli.status import BROKEN, DONE
 from autograder.errors import UsageError
@@ -67,7 +67,7 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
             for conflict in done.conflicts:
                 warn(printable(conflict))
             conflicts += len(done.conflicts)
-        class_list = find_class_list(parsed, into)
+        class_list = use_class_list(parsed, into)
         write_reports(course, into, Options(parsed.out, None, class_list), console)
         waiting = sum(bool(record.disputes) for record in into.records())
     if waiting:

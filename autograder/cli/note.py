@@ -11,8 +11,8 @@ from autograder.cli.common import (
     add_author,
     add_class_list,
     add_out,
-    find_class_list,
     gradebook_path,
+    use_class_list,
 )
 from autograder.cli.status import DONE
 from autograder.errors import UsageError
@@ -38,7 +38,7 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
     if not parsed.text.strip():
         raise UsageError("The note is empty; write what is to be remembered.")
     with Gradebook(gradebook_path(parsed), create=False) as book:
-        records, _ = with_people(book.records(), find_class_list(parsed, book))
+        records, _ = with_people(book.records(), use_class_list(parsed, book))
         record = find_record(records, parsed.student)
         book.note(record.student, parsed.text.strip(), parsed.author)
     console.print(f"Noted for {printable(record.name)}.", markup=False, soft_wrap=True)

@@ -13,9 +13,9 @@ from autograder.cli.common import (
     add_author,
     add_class_list,
     add_out,
-    find_class_list,
     gradebook_path,
     load,
+    use_class_list,
 )
 from autograder.cli.status import DONE
 from autograder.errors import UsageError
@@ -68,7 +68,7 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
     question = course.question(parsed.question)
     points = read_points(parsed.points)
     with Gradebook(gradebook_path(parsed), create=False) as book:
-        class_list = find_class_list(parsed, book)
+        class_list = use_class_list(parsed, book)
         record = find_record(view_class(course, book, class_list).records, parsed.student)
         decided = question.id in record.overrides or question.id in record.disputes
         if points is None and not decided:
@@ -101,7 +101,7 @@ def _spreadsheet(parsed: argparse.Namespace, console: Console) -> int:
         raise UsageError("Choose one of --write and --read.")
     course = load(parsed)
     with Gradebook(gradebook_path(parsed), create=False) as book:
-        class_list = find_class_list(parsed, book)
+        class_list = use_class_list(parsed, book)
         view = view_class(course, book, class_list)
         if parsed.write:
             count = write_spreadsheet(parsed.write, view, everything=parsed.all)

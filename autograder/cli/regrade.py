@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from rich.console import Console
 
-from autograder.cli.common import Commands, add_grading, find_class_list, gradebook_path, load
+from autograder.cli.common import Commands, add_grading, gradebook_path, load, use_class_list
 from autograder.errors import UsageError
 
 if TYPE_CHECKING:
@@ -40,7 +40,7 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
     course = load(parsed)
     assert course.key  # a broken key is said before anything runs
     with Gradebook(gradebook_path(parsed), create=False) as book:
-        class_list = find_class_list(parsed, book)
+        class_list = use_class_list(parsed, book)
         chosen: Iterable[Record] = view_class(course, book, class_list, streamed=True).records
         if parsed.students:
             records, _ = with_people(book.records(), class_list)

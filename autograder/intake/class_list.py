@@ -135,15 +135,6 @@ def read_class_list(path: Path) -> ClassList:
     )
 
 
-def handed_in_at(path: Path) -> datetime | None:
-    """The time of a file, or of the newest file in a folder."""
-    try:
-        files = [file for file in path.rglob("*") if file.is_file()] if path.is_dir() else [path]
-        return datetime.fromtimestamp(max(file.stat().st_mtime for file in files), UTC)
-    except (OSError, ValueError, OverflowError):
-        return None
-
-
 def read_class_lists(paths: Sequence[Path], settled: Path | None = None) -> ClassList:
     """Several lists as one: each person once, title and late policy from the one that has them.
 

@@ -23,21 +23,25 @@ from autograder.intake.times import read_time
 
 _FIRST = ("first name", "firstname", "given name", "first", "vorname", "prénom", "nombre")
 _LAST = ("last name", "lastname", "surname", "family name", "last", "nachname", "nom", "apellidos",
-         "apellido(s)", "nom de famille", "familienname")  # fmt: skip
+         "apellido(s)", "nom de famille", "familienname", "apellido")  # fmt: skip
 _NAME = ("student", "full name", "name", "student name", "first name and last name",
          "first name / surname", "vollständiger name", "nom complet", "nombre completo",
          "first name / last name", "display name", "users")  # fmt: skip
 _LOGIN = ("sis login id", "login", "username", "user name", "login id", "anmeldename", "user",
-          "nutzername", "benutzername", "nom d'utilisateur", "nombre de usuario", "netid",
-          "uni-id", "student login")  # fmt: skip
+          "nutzername", "benutzername", "nom d'utilisateur", "nom d’utilisateur",
+          "nombre de usuario",
+          "netid", "uni-id", "student login")  # fmt: skip
 _EMAIL = ("email", "email address", "e-mail", "e-mail address", "mail", "e-mail-adresse", "emails",
-          "adresse de courriel", "dirección de correo", "correo electrónico")  # fmt: skip
+          "adresse de courriel", "courriel", "adresse e-mail", "adresse électronique",
+          "dirección de correo", "dirección email", "dirección de email", "correo electrónico",
+          "correo")  # fmt: skip
 _SIS = ("sis user id", "sid", "student id", "id number", "sis id", "matriculation number",
-        "matrikelnummer", "id-nummer", "numéro d'identification", "número de id",
+        "matrikelnummer", "matrikel-nr.", "id-nummer", "numéro d'identification",
+        "numéro d’identification", "número de id", "número de identificación",
         "student number", "identifier number")  # fmt: skip
 _ID = ("id", "user id", "userid", "canvas id")
 _SECTION = ("section", "sections", "section name", "group", "groups", "gruppe", "gruppen", "groupe",
-            "grupo")  # fmt: skip
+            "groupes", "grupo", "grupos", "sektion", "sektionen", "sección")  # fmt: skip
 _GITHUB = ("github username", "github", "github login")
 _NUMBER = ("identifier", "participant", "id", "teilnehmer/in", "identifikator", "identifiant",
            "identificador")  # fmt: skip

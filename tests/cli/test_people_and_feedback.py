@@ -148,3 +148,16 @@ def test_points_that_changed_since_are_not_handed_out(listed: Classroom, capsys,
     assert "The points of Q4 have changed" in capsys.readouterr().err
     assert listed.run("regrade") == 0
     assert listed.run("export", "--format", "csv") == 0
+
+
+def test_a_list_given_for_looking_is_not_kept(classroom: Classroom, capsys, tmp_path: Path):
+    (tmp_path / "list.csv").write_text("Name,Login\nAda Lovelace,ada\n")
+    given = ("--class-list", str(tmp_path / "list.csv"))
+    assert classroom.run("show", "ada", "--json", *given) == 0
+    assert json.loads(capsys.readouterr().out)["name"] == "Ada Lovelace"
+    classroom.run("show", "ada", "--json")
+    assert json.loads(capsys.readouterr().out)["name"] == "ada"
+    assert classroom.run("note", "ada", "was ill", *given) == 0
+    capsys.readouterr()
+    classroom.run("show", "ada", "--json")
+    assert json.loads(capsys.readouterr().out)["name"] == "Ada Lovelace"

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import os
 from datetime import UTC, datetime
 from pathlib import Path
 
 import pytest
 
 from autograder.errors import CourseError
-from autograder.intake.class_list import ClassList, handed_in_at, read_class_list
+from autograder.intake.class_list import ClassList, read_class_list
 
 TEXT = """
 [assignment]
@@ -113,13 +112,24 @@ def test_without_a_policy_nobody_is_late(tmp_path: Path):
     assert listed.lateness("ada", None) == (None, 0, 0)
 
 
-def test_a_folder_was_handed_in_when_its_newest_file_was(tmp_path: Path):
-    (tmp_path / "a").write_text("a")
-    (tmp_path / "b").write_text("b")
-    os.utime(tmp_path / "a", (1_000, 1_000))
-    os.utime(tmp_path / "b", (2_000, 2_000))
-    assert handed_in_at(tmp_path) == datetime.fromtimestamp(2_000, UTC)
-    assert handed_in_at(tmp_path / "gone") is None
+MOODLE_TABLES = {
+    "German participants": "Vorname;Nachname;ID-Nummer;E-Mail-Adresse;Gruppen",
+    "French participants": "Prénom;Nom de famille;Numéro d’identification;Courriel;Groupes",
+    "French, short": "Prénom;Nom;Numéro d'identification;Adresse de courriel;Groupes",
+    "Spanish participants": "Nombre;Apellido(s);Número de ID;Dirección de correo;Grupos",
+    "Spanish, before 4": "Nombre;Apellidos;Número de ID;Dirección Email;Grupos",
+}
+
+
+@pytest.mark.parametrize("header", MOODLE_TABLES.values(), ids=MOODLE_TABLES)
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "cp1252", "utf-16"])
+def test_moodles_tables_are_read_in_its_languages(tmp_path: Path, header: str, encoding: str):
+    text = f"{header}\r\nZoë;Núñez;S-7;zoe@example.org;Di\r\n"
+    path = tmp_path / "participants.csv"
+    path.write_bytes(text.encode(encoding))
+    (person,) = read_class_list(path).students
+    found = (person.name, person.sis_id, person.email, person.section)
+    assert found == ("Zoë Núñez", "S-7", "zoe@example.org", "Di")
 
 
 @pytest.mark.parametrize(

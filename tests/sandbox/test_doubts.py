@@ -22,7 +22,6 @@ from tests.classroom import hand_in, make_course
 
 SLEEPS = "import time\ndef double(x):\n    time.sleep(60)"
 LOOPS = "def double(x):\n    while True: pass"
-FORKS = "import os\ndef double(x):\n    while True: os.fork()"
 
 
 def stop_of(sandbox: Sandbox, code: str) -> tuple[str, Doubt]:
