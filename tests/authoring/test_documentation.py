@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ast
 import os
 import re
 import shutil
@@ -11,10 +10,15 @@ import sys
 from collections.abc import Iterator
 from dataclasses import fields
 from pathlib import Path
+from typing import get_args
 
+import msgspec
 import pytest
 
 from autograder.course import Settings
+from autograder.kinds.answer import Alternative, Answer
+from autograder.kinds.question import PointedQuestion
+from autograder.kinds.registry import kind_named, kind_names
 
 ROOT = Path(__file__).parents[2]
 AUTHORING = (ROOT / "docs/authoring.md").read_text(encoding="utf-8")
@@ -79,22 +83,36 @@ def test_the_examples_of_the_page_for_authors_are_a_course_that_is_sound(tmp_pat
     assert check(tmp_path) == "The course is sound: 6 questions prove themselves.\n"
 
 
-READS = {"take", "text", "texts", "some_texts", "number", "groups", "tables", "python_name"}
+def keys_of_kinds() -> Iterator[tuple[str, str]]:
+    """Every key that an author may write for a kind alone, by the kind's name."""
+    for name in kind_names():
+        kind = kind_named(name)
+        common = {
+            field.encode_name
+            for base in (PointedQuestion, Answer, Alternative)
+            for field in of(base)
+        }
+        tables = [kind.question_type, kind.answer_type]
+        while tables:
+            table = tables.pop()
+            for field in of(table):
+                if field.encode_name not in common:
+                    yield name, field.encode_name
+                tables += inner_tables(field.type)
 
 
-def keys_that_are_read() -> Iterator[tuple[str, str]]:
-    """Every key that the readers of questions and answers ask a table for, by the kind's folder."""
-    for path in sorted((ROOT / "autograder/kinds").glob("*/*.py")):
-        for node in ast.walk(ast.parse(path.read_text())):
-            match node:
-                case ast.Call(
-                    func=ast.Attribute(value=ast.Name(), attr=attribute),
-                    args=[ast.Constant(value=str(key)), *_],
-                ) if attribute in READS:
-                    yield path.parent.name, key
+def of(table: type) -> tuple[msgspec.structs.FieldInfo, ...]:
+    return msgspec.structs.fields(table)
 
 
-@pytest.mark.parametrize(("kind", "key"), sorted(set(keys_that_are_read())))
+def inner_tables(annotation: object) -> list[type]:
+    """The structs of the kinds' own in a type such as ``tuple[Statement, ...]``."""
+    if isinstance(annotation, type) and issubclass(annotation, msgspec.Struct):
+        return [annotation] if annotation.__module__.count(".") > 2 else []
+    return [found for part in get_args(annotation) for found in inner_tables(part)]
+
+
+@pytest.mark.parametrize(("kind", "key"), sorted(set(keys_of_kinds())))
 def test_every_key_of_every_kind_is_explained(kind: str, key: str):
     section = AUTHORING.partition(f"\n## {kind}\n")[2].partition("\n## ")[0]
     assert (
@@ -105,7 +123,9 @@ def test_every_key_of_every_kind_is_explained(kind: str, key: str):
     ), f"say under `## {kind}` what {key} means"
 
 
-@pytest.mark.parametrize("key", ["id", "kind", "title", "prompt", "points", "hints", "explanation"])
+@pytest.mark.parametrize(
+    "key", ["id", "kind", "title", "prompt", "points", "hints", "explanation", "code"]
+)
 def test_every_common_key_is_explained(key: str):
     section = AUTHORING.partition("## What every question has")[2].partition("\n## ")[0]
     assert f"`{key}`" in section
