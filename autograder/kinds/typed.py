@@ -34,9 +34,12 @@ def parse(text: str, functions: Collection[str] = ()) -> ast.expr:
     if not is_code(text):
         text = spelt(text, functions)
     try:
-        return ast.parse(text, mode="eval").body
+        tree = ast.parse(text, mode="eval").body
     except (SyntaxError, ValueError, RecursionError, MemoryError):
         raise UsageError(_why_no_formula(text)) from None
+    if isinstance(tree, ast.Tuple):
+        raise UsageError("Write one value, with a point for the decimals: 0.5, not 0,5.")
+    return tree
 
 
 def _why_no_formula(text: str) -> str:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ast
 import math
 from collections.abc import Callable, Mapping
 from typing import Any
@@ -31,8 +30,6 @@ def read_number(text: str, variables: Mapping[str, Any]) -> int | float:
     functions |= {"abs": abs, "round": round}
     functions |= {"comb": _count(math.comb), "perm": _count(math.perm)}
     tree = parse(text, functions)
-    if isinstance(tree, ast.Tuple):
-        raise UsageError("Write one number, with a point for the decimals: 0.5, not 0,5.")
 
     def name(id: str) -> Any:
         if id in ("pi", "e"):
