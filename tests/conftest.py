@@ -33,6 +33,26 @@ def take_solutions_out() -> dict[str, ModuleType]:
     return {name: sys.modules.pop(name) for name in names}
 
 
+OWN = ("data", "notebooks", "solutions")
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_protocol(item: pytest.Item) -> Iterator[None]:
+    """Give the next test this course's own packages again, whichever course a test has loaded."""
+    path = sys.path[:]
+    before = {n: m for n, m in sys.modules.items() if n.partition(".")[0] in OWN}
+    try:
+        return (yield)
+    finally:
+        sys.path[:] = path
+        for name in OWN:
+            if name in before and sys.modules.get(name) is not before[name]:
+                for loaded in [n for n in sys.modules if n.partition(".")[0] == name]:
+                    del sys.modules[loaded]
+                own = {n: m for n, m in before.items() if n.partition(".")[0] == name}
+                sys.modules.update(own)
+
+
 @pytest.fixture
 def tiny_course(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[TinyCourse]:
     """A sound course whose package ``solutions`` stands in for the real one during the test."""

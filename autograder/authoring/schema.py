@@ -53,6 +53,11 @@ def questions_schema() -> dict[str, Any]:
         "properties": {
             "title": {"type": "string", "description": "the chapter's title"},
             "question": {"type": "array", "items": {"anyOf": references}},
+            "story": {
+                "type": "object",
+                "description": "numbers that questions share, by the story's name",
+                "additionalProperties": parts[types[0].__name__]["properties"]["variables"],
+            },
         },
         "required": ["title"],
         "additionalProperties": False,

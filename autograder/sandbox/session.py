@@ -131,7 +131,8 @@ class Session:
             raise Stopped("timeout")
         if "reply" not in answer:
             # The kernel, or the alarm that rings when a limit has passed many times over.
-            if answer.get("ended_by") in (signal.SIGKILL, signal.SIGALRM):
+            ended_by = answer.get("ended_by")  # whatever a student's process says
+            if isinstance(ended_by, int) and ended_by in (signal.SIGKILL, signal.SIGALRM):
                 self._doubt.is_unexplained = True
             raise _stop_by(answer.get("ended_by"))
         return answer

@@ -74,7 +74,7 @@ def compare_features(
         order = order or np.argsort(-right, kind="stable").tolist()
         clock.bar(row, 1000 * np.median(seconds), width=0.6, color=colour)
         dots.plot(right[order], marker, color=colour, label=name, markersize=7)
-        dots.axhspan(1, chance, color=GREY, alpha=0.18, lw=0, label=None if row else "by chance")
+        dots.axhspan(1, chance, color=GREY, alpha=0.2, lw=0, label=None if row else "by chance")
         clear = int((right > chance).sum())
         said.append(f"{name}: {clear} of {len(listed)} pairs are above its chance of {chance}")
     clock.set_xticks(range(2), ["SIFT", "ORB"])

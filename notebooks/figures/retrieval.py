@@ -148,7 +148,7 @@ def agreement(
     axes.plot([], [], "o", color=GREEN, label="the same place")
     axes.plot([], [], "x", color=GREY, label="another place")
     label = f"wrong on the walk: up to {chance:.0f}"
-    axes.axvspan(1, chance, color=GREY, alpha=0.18, lw=0, label=label)
+    axes.axvspan(1, chance, color=GREY, alpha=0.2, lw=0, label=label)
     axes.axvline(threshold, color=VERMILLION, linestyle="--", label=f"threshold {threshold}")
     axes.set_xscale("log")
     axes.set_xlim(left=5)

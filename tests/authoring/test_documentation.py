@@ -65,7 +65,7 @@ def test_the_question_of_contributing_passes_as_printed(tmp_path: Path):
     )
     for folder in ("explorers", "figures"):
         shutil.copytree(ROOT / "notebooks" / folder, tmp_path / "notebooks" / folder)
-    assert check(tmp_path) == "The course is sound: 1 questions prove themselves.\n"
+    assert check(tmp_path).endswith("The course is sound: 1 questions prove themselves.\n")
 
 
 def examples() -> dict[str, str]:
@@ -80,7 +80,7 @@ def examples() -> dict[str, str]:
 
 def test_the_examples_of_the_page_for_authors_are_a_course_that_is_sound(tmp_path: Path):
     write(tmp_path, examples())
-    assert check(tmp_path) == "The course is sound: 6 questions prove themselves.\n"
+    assert check(tmp_path).endswith("The course is sound: 6 questions prove themselves.\n")
 
 
 def keys_of_kinds() -> Iterator[tuple[str, str]]:

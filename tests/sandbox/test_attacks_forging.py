@@ -195,7 +195,7 @@ LIARS = {
     "a list that contains itself": ("x = []\nx.append(x)", {"unusable": "not plain"}),
     "an integer of a thousand digits": ("x = 10**1000", {"unusable": "not finite"}),
     "half a character": ("x = '\\ud800'", {"value": "\ud800"}),
-    "a generator": ("x = (i for i in range(3))", {"unusable": "not plain"}),
+    "a generator": ("x = (i for i in range(3))", {"unusable": "lazy"}),
     "an object array": (
         "import numpy as np\nx = np.array([print], dtype=object)",
         {"unusable": "not plain"},

