@@ -36,6 +36,15 @@ def take_solutions_out() -> dict[str, ModuleType]:
 OWN = ("data", "notebooks", "solutions")
 
 
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Leave out what takes minutes, unless it is asked for."""
+    if os.environ.get("AUTOGRADER_LONG") != "1":
+        skip = pytest.mark.skip(reason="takes minutes: AUTOGRADER_LONG=1 runs it")
+        for item in items:
+            if item.get_closest_marker("long"):
+                item.add_marker(skip)
+
+
 @pytest.hookimpl(wrapper=True)
 def pytest_runtest_protocol(item: pytest.Item) -> Iterator[None]:
     """Give the next test this course's own packages again, whichever course a test has loaded."""

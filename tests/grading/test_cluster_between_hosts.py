@@ -11,7 +11,10 @@ import pytest
 from cluster_class import Lab, make_class, marks, start
 
 pytest.importorskip("distributed", reason="Dask is not installed: uv run --extra cluster pytest")
-pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="the sandbox is Linux's")
+pytestmark = [
+    pytest.mark.long,
+    pytest.mark.skipif(sys.platform != "linux", reason="the sandbox is Linux's"),
+]
 
 STUDENTS = 3
 

@@ -13,7 +13,10 @@ from autograder.cli import main
 from autograder.gradebook import Gradebook
 
 pytest.importorskip("distributed", reason="Dask is not installed: uv run --extra cluster pytest")
-pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="the sandbox is Linux's")
+pytestmark = [
+    pytest.mark.long,
+    pytest.mark.skipif(sys.platform != "linux", reason="the sandbox is Linux's"),
+]
 
 STUDENTS = 12
 NO_AUTOGRADER = "import sys\nsys.modules['autograder'] = None\n"

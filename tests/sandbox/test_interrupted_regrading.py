@@ -15,6 +15,8 @@ import pytest
 
 from tests.classroom import hand_in, make_course
 
+pytestmark = pytest.mark.long
+
 STUDENTS = [f"student{number}" for number in range(6)]
 Marks = dict[str, list[tuple[object, ...]]]
 

@@ -15,6 +15,8 @@ from autograder.grading.journal import Journal
 from autograder.intake.submissions import Submission
 from tests.classroom import hand_in, make_course
 
+pytestmark = pytest.mark.long
+
 # The grader as it is, but for one thing: it dies as soon as it marks mallory's work.
 DIES = """
 import os, signal, sys

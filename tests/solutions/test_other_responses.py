@@ -17,6 +17,8 @@ from solutions.lines.line_fitting import Line, distances, fit_line
 from solutions.lines.plane_fitting import Plane, fit_plane, plane_distances
 from solutions.ransac.line import ransac_line
 
+pytestmark = pytest.mark.long
+
 SEEDS = (1, 2, 3)
 _SYMBOLS = "r alpha N x_c y_c sum_x sum_y S_xx S_yy S_xy"
 NAMES = {
