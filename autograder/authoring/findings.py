@@ -13,7 +13,7 @@ import msgspec
 
 from autograder.course import Course
 from autograder.course.questions import Question
-from autograder.course.variants import module_of, variants_of
+from autograder.course.right_work import module_of, right_work_of
 from autograder.kinds.answer import Answer
 from autograder.kinds.registry import kind_of
 from autograder.marking.mutants.clones import course_sources
@@ -48,7 +48,7 @@ def digest_of(course: Course, question: Question) -> str:
     answer = course.key[question.id]
     names = [*kind_of(question).code_names(answer)]
     module = module_of(course, question)
-    texts = [] if module else [*variants_of(course, question)]
+    texts = [] if module else [*right_work_of(course, question)]
     engine = [path for folder in _ENGINE for path in (_PACKAGE / folder).rglob("*.py")]
     digest = hashlib.sha256(f"{question}\0{_without_words(answer)}\0{texts}".encode())
     names += [module] if module else []

@@ -96,9 +96,19 @@ class Marker:
         mark = kind_of(question).mark(
             question, self.course.key[id], self.drawn(id), response, understood
         )
-        if id in self.course.variants and mark.status == "wrong" and mark.alternative is None:
+        nameless = mark.status == "wrong" and mark.alternative is None
+        if nameless and self._has_others(id):
             return self._of_other_numbers(mark, response, understood) or mark
         return mark
+
+    def _has_others(self, id: str) -> bool:
+        """Whether a response can be right for the numbers of somebody else, and not by chance.
+
+        Any choice of statements and any order of cards fits some deal of them.
+        """
+        if not self.course.personal or id not in self.course.varied:
+            return False
+        return bool(kind_of(self.course.question(id)).formulas)
 
     def _all_variants(self, id: str) -> list[tuple[Question, Answer, Drawn]]:
         """The variants of a question, made once for all students."""
@@ -107,7 +117,7 @@ class Marker:
             assert variables is not None
             made = []
             for variant in range(min(variables.count, MOST_TRIED)):
-                course = self.course.with_variants({id: variant})
+                course = self.course.with_variants({**self.course.variants, id: variant})
                 question, answer = course.question(id), course.key[id]
                 made.append((question, answer, draw(question, answer, self.seed, course.root)))
             self._variants[id] = made

@@ -116,7 +116,7 @@ def binary_descriptors(one: np.ndarray, other: np.ndarray) -> None:
         ("found again", images[1], others[best.trainIdx], other_bits[best.trainIdx]),
         ("another spot", images[0], spots[third], bits[third]),
     ]
-    fig = figure(8, 2.6)
+    fig = figure(8, 1.7)
     panels = fig.subplots(1, 6)
     said = []
     for n, (title, image, spot, descriptor) in enumerate(shown):

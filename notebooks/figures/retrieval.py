@@ -247,10 +247,13 @@ def precision_recall(
         ):
             _draw_decisions(axes, decisions, steps, threshold)
             right, wrong, missed = decisions.at(threshold)
-            axes.set_title(f"{where}: {right} right, {wrong} wrong, {missed} missed", fontsize=10)
+            counts = f"{right} right, {wrong} wrong, {missed} missed"
+            axes.set_title(f"{where}, threshold {threshold:.3g}: {counts}", fontsize=9)
             axes.set_xlabel(f"threshold: {label}")
             said.append(f"{label}, {where}: {right} right, {wrong} wrong, {missed} missed loops")
-        row[0].legend(fontsize=8, loc="center right")
+    if said:
+        lines = next(axes for axes in panels[:, 0] if axes.lines).get_legend_handles_labels()
+        fig.legend(*lines, fontsize=9, frameon=False, loc="outside upper center", ncols=3)
     show(fig, f"Precision and recall over the threshold. {'; '.join(said) or NOT_YET}")
 
 
@@ -276,7 +279,7 @@ def _draw_decisions(axes: Axes, decisions: _Decisions, steps: np.ndarray, thresh
     precision = right[closed] / (right + wrong)[closed]
     axes.plot(steps[closed], precision, color=BLUE, lw=2, label="precision")
     axes.plot(steps, right / (right + missed), color=ORANGE, lw=2, ls="--", label="recall")
-    axes.axvline(threshold, color=VERMILLION, ls=":", lw=2, label=f"threshold {threshold:.3g}")
+    axes.axvline(threshold, color=VERMILLION, ls=":", lw=2, label="threshold chosen on the walk")
     if steps.max() > 10:
         axes.set_xscale("symlog", linthresh=10)
         axes.xaxis.set_major_formatter(ScalarFormatter())

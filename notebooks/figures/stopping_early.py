@@ -4,6 +4,7 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
+from matplotlib.ticker import MaxNLocator
 
 from notebooks.figures.style import (
     BLUE,
@@ -46,7 +47,10 @@ def stopping(
         bool(one[:stop].max(initial=0) >= ENOUGH * most)
         for one, stop in zip(agreeing, stops, strict=True)
     )
-    axes.hist(stops, bins=40, color=BLUE)
+    width = max(1, -(-(max(stops) - min(stops) + 1) // 40))
+    edges = np.arange(min(stops), max(stops) + width + 1, width) - 0.5
+    axes.hist(stops, bins=edges.tolist(), color=BLUE)
+    axes.xaxis.set_major_locator(MaxNLocator(integer=True))
     mean = float(np.mean(stops))
     axes.axvline(mean, color=VERMILLION, ls="--", label=f"mean {mean:.0f}")
     axes.legend(frameon=False)

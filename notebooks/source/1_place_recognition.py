@@ -426,8 +426,8 @@ def likeness_by_nodes(name, places=tuple(walk)):
 
 # %% [markdown]
 # Last, the search with verification: a place that is verified goes to the front. Five queries are too few to say which method is
-# better. So let *each* of the 25 photographs search among all others, the walk and the queries together, and count how
-# often its first place is right:
+# better. So let *each* of the 25 photographs search among all others, the walk and the queries together. Twenty of them show a place that
+# another photograph shows, too. For how many of these is the first place right?
 
 
 # %% demo=true

@@ -23,12 +23,12 @@ FOLDER = Path("solutions/variants")
 TYPED = "typed.toml"
 
 
-def has_variants(course: Course) -> bool:
+def has_right_work(course: Course) -> bool:
     """Whether the course has right work in other clothes at all."""
     return (course.root / FOLDER).is_dir()
 
 
-def variants_of(course: Course, question: Question) -> dict[str, Any]:
+def right_work_of(course: Course, question: Question) -> dict[str, Any]:
     """The variants of a question by what they are called: functions, or texts as typed.
 
     Raises:
@@ -47,7 +47,7 @@ def module_of(course: Course, question: Question) -> str | None:
     return ".".join([*FOLDER.parts, question.name])
 
 
-def unexpected_variants(course: Course) -> list[str]:
+def unexpected_right_work(course: Course) -> list[str]:
     """The modules that are called after no question's function."""
     names = {question.name for question in course.questions.values()}
     return [
