@@ -31,7 +31,7 @@ START_ID = "start"
 START = """\
 # Run this cell first.
 try:
-    from autograder import ask, check, progress, submit
+    from autograder import {names}
 except ImportError:
     raise ImportError(
         "The course is not installed for this kernel, and PyPI does not have it. "
@@ -134,7 +134,7 @@ def _assemble(course: Course, master: Master, solved: bool) -> Any:
     begun = False
     for cell in master.cells:
         if not begun and cell.kind == "code":
-            notebook.cells.append(new_code_cell(START, id=START_ID))
+            notebook.cells.append(new_code_cell(_start(master), id=START_ID))
             begun = True
         if cell.exercise is None:
             make = new_markdown_cell if cell.kind == "markdown" else new_code_cell
@@ -150,6 +150,13 @@ def _assemble(course: Course, master: Master, solved: bool) -> Any:
         if exercise.check is not None:
             notebook.cells.append(new_code_cell(exercise.check, id=f"{slug}-check"))
     return notebook
+
+
+def _start(master: Master) -> str:
+    names = ["ask", "check", "progress", "submit"]
+    if master.predictions:
+        names[2:2] = ["predict", "predicted"]
+    return START.format(names=", ".join(names))
 
 
 def _cell_id(cell: MasterCell, taken: Counter[str]) -> str:

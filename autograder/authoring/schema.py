@@ -13,6 +13,7 @@ from typing import Any
 import msgspec
 
 from autograder.course import ANSWERS, QUESTIONS
+from autograder.course.predictions import Prediction
 from autograder.kinds.registry import kind_named, kind_names
 
 FOLDER = ".schemas"
@@ -43,9 +44,11 @@ def schema_files() -> Iterator[tuple[str, str]]:
 def questions_schema() -> dict[str, Any]:
     """What may stand in a file of questions."""
     types = [kind_named(name).question_type for name in sorted(kind_names())]
-    (*references,), parts = msgspec.json.schema_components(types, ref_template="#/$defs/{name}")
-    for kind in types:
-        parts[kind.__name__]["properties"].pop("chapter", None)
+    (*references, prediction), parts = msgspec.json.schema_components(
+        [*types, Prediction], ref_template="#/$defs/{name}"
+    )
+    for name in (*(kind.__name__ for kind in types), Prediction.__name__):
+        parts[name]["properties"].pop("chapter", None)
     return {
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         "title": "The questions of a chapter",
@@ -53,6 +56,7 @@ def questions_schema() -> dict[str, Any]:
         "properties": {
             "title": {"type": "string", "description": "the chapter's title"},
             "question": {"type": "array", "items": {"anyOf": references}},
+            "prediction": {"type": "array", "items": prediction},
             "story": {
                 "type": "object",
                 "description": "numbers that questions share, by the story's name",

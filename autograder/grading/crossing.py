@@ -92,6 +92,7 @@ def pack_result(result: Graded | Broken) -> bytes:
             "seconds": result.seconds,
             "doubtful": result.is_doubtful,
             "numbers_of": result.numbers_of,
+            "predictions": dict(result.predictions),
         }
     )
 
@@ -110,6 +111,7 @@ def unpack_result(data: bytes, submission: Submission) -> Graded | Broken:
         fields["seconds"],
         fields["doubtful"],
         fields["numbers_of"],
+        fields["predictions"],
     )
 
 

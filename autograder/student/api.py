@@ -1,4 +1,4 @@
-"""``ask``, ``check``, ``me``, ``progress`` and ``submit``."""
+"""``ask``, ``check``, ``me``, ``predict``, ``predicted``, ``progress`` and ``submit``."""
 
 from __future__ import annotations
 
@@ -19,7 +19,13 @@ from autograder.student.live import Live
 from autograder.student.marker_client import marker_for
 from autograder.student.responses import answered, responses_folder
 from autograder.student.submission import pack_submission
-from autograder.student.views import MarkView, ProgressView, QuestionView, SubmissionView
+from autograder.student.views import (
+    MarkView,
+    PredictionView,
+    ProgressView,
+    QuestionView,
+    SubmissionView,
+)
 
 MISSING: Any = object()
 
@@ -80,6 +86,26 @@ def me(name: Any) -> Any:
     return _try(lambda: print(become(_course_at(course_of_notebook()), name)))
 
 
+def predict(id: str, value: Any = MISSING) -> Any:
+    """Ask for a prediction, or give one; it is kept and has no points. The first one stands.
+
+    Args:
+        id: such as ``"P3.1"``.
+        value: a number, or the text or the number (from 1) of a choice; without it, the prediction
+            is given by a click or typed into a field.
+    """
+    return _try(lambda: _predict(id, value))
+
+
+def predicted(id: str) -> Any:
+    """Return what was predicted, for a picture to draw beside the truth: None if nothing was.
+
+    Args:
+        id: such as ``"P3.1"``.
+    """
+    return _try(lambda: (desk := _desk()).prediction(desk.course.prediction(id)))
+
+
 def progress() -> Any:
     """Show the points so far, chapter by chapter."""
     return _try(lambda: _progress())
@@ -137,6 +163,23 @@ def _check(id: str, response: Any) -> Any:
     mark = desk.mark_value(question, response)
     view = MarkView(question, mark, desk.entry(question).get("response"))
     return _shown(view, lambda: kind_of(question).widget(desk, question, response, mark))
+
+
+def _predict(id: str, value: Any) -> Any:
+    desk = _desk()
+    prediction = desk.course.prediction(id)
+    if value is not MISSING:
+        before = desk.prediction(prediction)
+        standing = desk.predict(prediction, value)
+        if before is not None and prediction.read(value) != standing:
+            print(f"You predicted {prediction.in_words(standing)} before; that stands.")
+
+    def widget() -> Any:
+        from autograder.student.widgets.prediction import PredictionWidget
+
+        return PredictionWidget(desk, prediction)
+
+    return _shown(PredictionView(prediction, desk.prediction(prediction)), widget)
 
 
 def _progress() -> Any:

@@ -8,6 +8,7 @@ from typing import Any
 from weakref import WeakSet
 
 from autograder.course import Course
+from autograder.course.predictions import Guess, Prediction
 from autograder.course.questions import Question
 from autograder.kinds.mark import Mark, not_attempted, stopped
 from autograder.kinds.registry import kind_of
@@ -101,6 +102,31 @@ class Desk:
         entry = self.responses(question).update(question.id, changed)
         self.tell(question.id)
         return entry
+
+    def prediction(self, prediction: Prediction) -> Guess | None:
+        """What was predicted, None if nothing was; what does not fit counts as nothing."""
+        entry = self.chapter_responses(prediction.chapter).get(prediction.id)
+        value: Guess | None = entry.get("response")
+        return value if prediction.fits(value) else None
+
+    def predict(self, prediction: Prediction, value: Any) -> Guess:
+        """Keep a prediction, and return the one that stands: the first.
+
+        Raises:
+            UsageError: if it cannot be one; nothing is changed then.
+            ResponsesError: if it cannot be saved.
+        """
+        chosen = prediction.read(value)
+
+        def kept(entry: Entry) -> Entry:
+            if prediction.fits(entry.get("response")):
+                return entry
+            return {"kind": "prediction", "response": chosen, "status": "recorded"}
+
+        entry = self.chapter_responses(prediction.chapter).update(prediction.id, kept)
+        self.tell(prediction.id)
+        standing: Guess = entry["response"]
+        return standing
 
     def mark_choice(self, question: Question, count: bool = True) -> Mark:
         """Mark the response that was clicked and kept; ``count`` it as an attempt or not.

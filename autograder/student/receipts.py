@@ -51,6 +51,13 @@ def rescued_entries(course: Course, chapter: Chapter) -> dict[str, Entry]:
                 "points": 0.0,
                 "attempts": 0,
             }
+    for prediction in chapter.predictions:
+        if prediction.fits(found.get(prediction.id)):
+            entries[prediction.id] = {
+                "kind": "prediction",
+                "response": found[prediction.id],
+                "status": "recorded",
+            }
     return entries
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from autograder.course import Course
+from autograder.course.predictions import Guess, Prediction
 from autograder.course.questions import Question
 from autograder.kinds.mark import Mark
 from autograder.kinds.registry import kind_of
@@ -73,6 +74,27 @@ class QuestionView(_View):
         if self.response is None:
             return None
         return receipt(self.question.id, self.response)
+
+
+class PredictionView(_View):
+    """Something to predict, and what was predicted."""
+
+    def __init__(self, prediction: Prediction, value: Guess | None) -> None:
+        self.prediction = prediction
+        self.value = value
+
+    def lines(self) -> list[str]:
+        prediction = self.prediction
+        lines = [f"**{prediction.id} · Predict**", "", prediction.prompt, ""]
+        if self.value is not None:
+            return [*lines, f"You predicted: {prediction.in_words(self.value)}"]
+        lines += [f"{n}. {text}" for n, text in enumerate(prediction.choices, 1)]
+        example = "1" if prediction.choices else "NUMBER"
+        call = f'`predict("{prediction.id}", {example})`'
+        return [*lines, *[""] * bool(prediction.choices), f"Not predicted. To predict, run {call}."]
+
+    def receipt(self) -> dict[str, Any] | None:
+        return None if self.value is None else receipt(self.prediction.id, self.value)
 
 
 class MarkView(_View):

@@ -21,6 +21,11 @@ def source(*names: str | Path) -> str:
     return "\n".join((_HERE / name).read_text(encoding="utf-8") for name in names)
 
 
+def escaped(text: str) -> str:
+    """Text as HTML that shows it."""
+    return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
+
+
 class CourseWidget(anywidget.AnyWidget):
     """A widget whose truth lies in the desk's files and never in the browser.
 

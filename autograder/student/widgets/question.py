@@ -13,7 +13,7 @@ from autograder.student.desk import Desk, hints_open
 from autograder.student.receipts import RECEIPT, receipt
 from autograder.student.responses import Entry, attempts
 from autograder.student.views import number, plural
-from autograder.student.widgets.base import CourseWidget
+from autograder.student.widgets.base import CourseWidget, escaped
 
 
 class QuestionWidget(CourseWidget):
@@ -86,7 +86,7 @@ class QuestionWidget(CourseWidget):
         bundle: dict[str, Any] = {
             "text/plain": words,
             # Hidden while the widget itself is drawn.
-            "text/html": f'<p class="autograder-receipt"><small>{_escaped(words)}</small></p>',
+            "text/html": f'<p class="autograder-receipt"><small>{escaped(words)}</small></p>',
         }
         if response is not None:
             bundle[RECEIPT] = receipt(self.question.id, response)
@@ -109,7 +109,3 @@ _EXPLAINED = ("right", "partial", "wrong")
 
 def _earned(mark: Mark) -> str:
     return f"{number(mark.points)} of {plural(mark.max_points, 'point')}"
-
-
-def _escaped(text: str) -> str:
-    return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
