@@ -114,7 +114,7 @@ def one_outlier(
 
     `predicted` is by how many degrees the first step was expected to turn the line, which is drawn.
     """
-    fig = figure(8, 3.6)
+    fig = figure(8, 4.2)
     panels = fig.subplots(1, len(offsets), sharex=True, sharey=True)
     length = wall[-1] - wall[0]
     across = np.array([-length[1], length[0]]) / np.hypot(*length)

@@ -48,7 +48,7 @@ def laser_errors(
     exact = wall - np.outer(wall @ normal - r, normal)
     ranges = np.hypot(*exact.T)
     beams = exact / ranges[:, np.newaxis]
-    spread = {"predicted": np.sqrt(np.diag(np.asarray(covariance, dtype=float)))}
+    spread = {"your formula": np.sqrt(np.diag(np.asarray(covariance, dtype=float)))}
     for name in ("all directions", "along the beam", f"and {100 * step:.0f} cm steps"):
         fits = []
         for _ in range(RUNS):

@@ -27,6 +27,7 @@ PALETTE = [BLUE, ORANGE, GREEN, VERMILLION, PURPLE, SKY, "#000000", "#B8A000"]
 
 PIXELS_PER_INCH = 144  # stored; shown at half of the usual width, so that it is sharp
 SHOWN_PER_INCH = 96
+READABLE = 560  # pixels on the screen, of a picture as wide as the notebook
 
 
 def figure(width: float = 8.0, height: float = 4.0) -> Figure:
@@ -50,7 +51,11 @@ def show(fig: Figure, alt: str) -> None:
         return
     text = html.escape(alt, quote=True)
     source = f"data:image/png;base64,{picture}"
-    image = f'<img alt="{text}" width="{width}" style="max-width: 100%" src="{source}">'
+    # On a narrow screen the picture is scrolled sideways before its words become too small to read.
+    least = min(width, READABLE)
+    style = f"max-width: 100%; min-width: {least}px"
+    image = f'<img alt="{text}" width="{width}" style="{style}" src="{source}">'
+    image = f'<div style="overflow-x: auto">{image}</div>'
     display({"text/html": image, "text/plain": alt}, raw=True)
 
 
