@@ -31,7 +31,7 @@ START_ID = "start"
 START = """\
 # Run this cell first.
 try:
-    from autograder import ask, check, progress, submit
+    from autograder import {names}
 except ImportError:
     raise ImportError(
         "The course is not installed for this kernel, and PyPI does not have it. "
@@ -127,14 +127,14 @@ def write(built: list[Built]) -> list[Path]:
     return [entry.path for entry in changed]
 
 
-def _assemble(course: Course, master: Master, solved: bool) -> Any:
+def _assemble(course: Course, master: Master, solved: bool) -> object:
     """The notebook's cells, each with an id that stays the same when others come or go."""
     notebook = new_notebook(metadata=_KERNEL)
     taken: Counter[str] = Counter()
     begun = False
     for cell in master.cells:
         if not begun and cell.kind == "code":
-            notebook.cells.append(new_code_cell(START, id=START_ID))
+            notebook.cells.append(new_code_cell(_start(master), id=START_ID))
             begun = True
         if cell.exercise is None:
             make = new_markdown_cell if cell.kind == "markdown" else new_code_cell
@@ -150,6 +150,13 @@ def _assemble(course: Course, master: Master, solved: bool) -> Any:
         if exercise.check is not None:
             notebook.cells.append(new_code_cell(exercise.check, id=f"{slug}-check"))
     return notebook
+
+
+def _start(master: Master) -> str:
+    names = ["ask", "check", "progress", "submit"]
+    if master.predictions:
+        names[2:2] = ["predict", "predicted"]
+    return START.format(names=", ".join(names))
 
 
 def _cell_id(cell: MasterCell, taken: Counter[str]) -> str:
@@ -188,7 +195,7 @@ def _execute(notebook: Any, course: Course, stem: str) -> None:
             cell.outputs = [kept for output in cell.outputs if (kept := _without_images(output))]
 
 
-def _without_images(output: Any) -> Any:
+def _without_images(output: Any) -> object:
     """The output without pictures, which change with every version of Matplotlib.
 
     What stands beside a picture as text stays: nbval compares that.
@@ -202,7 +209,7 @@ def _without_images(output: Any) -> Any:
     return output
 
 
-def _written(course: Course, path: Path, notebook: Any) -> Built:
+def _written(course: Course, path: Path, notebook: object) -> Built:
     nbformat.validate(notebook)
     return Built(course.root / path, nbformat.writes(notebook, version=4) + "\n")
 

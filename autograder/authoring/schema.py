@@ -8,11 +8,11 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator
-from typing import Any
 
 import msgspec
 
 from autograder.course import ANSWERS, QUESTIONS
+from autograder.course.predictions import Prediction
 from autograder.kinds.registry import kind_named, kind_names
 
 FOLDER = ".schemas"
@@ -40,12 +40,14 @@ def schema_files() -> Iterator[tuple[str, str]]:
     )
 
 
-def questions_schema() -> dict[str, Any]:
+def questions_schema() -> dict[str, object]:
     """What may stand in a file of questions."""
     types = [kind_named(name).question_type for name in sorted(kind_names())]
-    (*references,), parts = msgspec.json.schema_components(types, ref_template="#/$defs/{name}")
-    for kind in types:
-        parts[kind.__name__]["properties"].pop("chapter", None)
+    (*references, prediction), parts = msgspec.json.schema_components(
+        [*types, Prediction], ref_template="#/$defs/{name}"
+    )
+    for name in (*(kind.__name__ for kind in types), Prediction.__name__):
+        parts[name]["properties"].pop("chapter", None)
     return {
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         "title": "The questions of a chapter",
@@ -53,6 +55,7 @@ def questions_schema() -> dict[str, Any]:
         "properties": {
             "title": {"type": "string", "description": "the chapter's title"},
             "question": {"type": "array", "items": {"anyOf": references}},
+            "prediction": {"type": "array", "items": prediction},
             "story": {
                 "type": "object",
                 "description": "numbers that questions share, by the story's name",
@@ -65,7 +68,7 @@ def questions_schema() -> dict[str, Any]:
     }
 
 
-def answers_schema() -> dict[str, Any]:
+def answers_schema() -> dict[str, object]:
     """What may stand in a file of answers: for each question its key."""
     kinds = [kind_named(name) for name in sorted(kind_names())]
     types = [kind.answer_type for kind in kinds]
@@ -86,5 +89,5 @@ def answers_schema() -> dict[str, Any]:
     }
 
 
-def _text(schema: dict[str, Any]) -> str:
+def _text(schema: dict[str, object]) -> str:
     return json.dumps(schema, indent=2, ensure_ascii=False) + "\n"

@@ -12,12 +12,13 @@ from pathlib import Path
 from typing import Any
 
 from autograder.course.answers import Answer, answer_from_table
+from autograder.course.predictions import Prediction
 from autograder.course.questions import Question, Written
 from autograder.course.settings import Settings, read_settings
 from autograder.course.toml_file import read_toml, unreadable
 from autograder.errors import CourseError, UsageError
 from autograder.kinds.registry import load_kind
-from autograder.kinds.strict import Place
+from autograder.kinds.strict import Place, read_table
 from autograder.kinds.variables import Variables, read_variables
 
 QUESTIONS = Path("notebooks/questions")
@@ -36,6 +37,7 @@ class Chapter:
     title: str
     questions: tuple[Question, ...]
     written: tuple[Written, ...] = ()  # the tables of its questions, in their order
+    predictions: tuple[Prediction, ...] = ()  # what students predict, with no points
 
 
 @dataclass(frozen=True)
@@ -69,6 +71,23 @@ class Course:
             raise UsageError(
                 f"There is no question {id!r}; this course has {', '.join(self.questions)}."
             ) from None
+
+    @cached_property
+    def predictions(self) -> dict[str, Prediction]:
+        """Everything that students predict, by its id, in the order of the course."""
+        return {entry.id: entry for chapter in self.chapters for entry in chapter.predictions}
+
+    def prediction(self, id: str) -> Prediction:
+        """The prediction with this id.
+
+        Raises:
+            UsageError: if there is none; the sentence lists the ids that exist.
+        """
+        try:
+            return self.predictions[id]
+        except (KeyError, TypeError):
+            listed = ", ".join(self.predictions) or "none"
+            raise UsageError(f"There is no prediction {id!r}; this course has {listed}.") from None
 
     def chapter(self, name: str) -> Chapter:
         """The chapter with this name."""
@@ -166,7 +185,7 @@ class Course:
         Raises:
             CourseError: if an answer is missing or left over.
         """
-        read: dict[str, tuple[str, dict[str, Any]]] = {}
+        read: dict[str, tuple[str, dict[str, object]]] = {}
         for chapter in self.chapters if self.has_key else ():
             path = self.root / ANSWERS / f"{chapter.name}.toml"
             text, tables = read_toml(path, f"write the answers to {chapter.name}.toml there")
@@ -276,12 +295,12 @@ def load_course(root: Path | None = None) -> Course:
     chapters = []
     for path in sorted((root / QUESTIONS).glob("*.toml"), key=_chapter_position(root)):
         text, table = read_toml(path, "write it or remove the file")
-        unknown = table.keys() - {"title", "question", "story"}
+        unknown = table.keys() - {"title", "question", "story", "prediction"}
         title = table.get("title")
         if unknown or not isinstance(title, str):
             raise CourseError(
                 f"{path.relative_to(root)} needs a title and [[question]] tables, and may "
-                "have [story.NAME] tables, nothing else."
+                "have [story.NAME] and [[prediction]] tables, nothing else."
             )
         entries = table.get("question", [])
         if not (isinstance(entries, list) and all(isinstance(entry, dict) for entry in entries)):
@@ -293,7 +312,8 @@ def load_course(root: Path | None = None) -> Course:
             Written.read(entry, path.stem, text, n, stories) for n, entry in enumerate(entries)
         )
         questions = tuple(entry.question() for entry in written)
-        chapters.append(Chapter(path.stem, title, questions, written))
+        predictions = _read_predictions(table.get("prediction", []), text, path.relative_to(root))
+        chapters.append(Chapter(path.stem, title, questions, written, predictions))
     if not chapters:
         raise CourseError(f"{root / QUESTIONS} holds no questions; add a CHAPTER.toml.")
     _reject_duplicates(chapters)
@@ -307,7 +327,7 @@ def load_course(root: Path | None = None) -> Course:
     )
 
 
-def _read_stories(stories: Any, text: str, file: Path) -> dict[str, Variables]:
+def _read_stories(stories: object, text: str, file: Path) -> dict[str, Variables]:
     place = Place(f"story in {file.as_posix()}", text, ("story",))
     if not isinstance(stories, dict):
         raise place.error("a story is a table such as [story.cloud]")
@@ -319,9 +339,25 @@ def _read_stories(stories: Any, text: str, file: Path) -> dict[str, Variables]:
     }
 
 
+def _read_predictions(tables: object, text: str, file: Path) -> tuple[Prediction, ...]:
+    if not (isinstance(tables, list) and all(isinstance(table, dict) for table in tables)):
+        raise CourseError(f"{file}: each prediction is a table that begins with [[prediction]].")
+    found = []
+    for number, table in enumerate(tables):
+        words = f"prediction {table.get('id', '?')!r} in {file.as_posix()}"
+        place = Place(words, text, ("prediction", number))
+        found.append(read_table(table, Prediction, place, chapter=file.stem))
+    return tuple(found)
+
+
 def _reject_duplicates(chapters: list[Chapter]) -> None:
     placed: dict[str, str] = {}
+    predicted: set[str] = set()
     for chapter in chapters:
+        for prediction in chapter.predictions:
+            if prediction.id in predicted:
+                raise CourseError(f"Two predictions have the id {prediction.id}; rename one.")
+            predicted.add(prediction.id)
         stored: dict[str, str] = {}
         file = f"{chapter.name}.toml"
         for question in chapter.questions:

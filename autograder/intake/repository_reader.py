@@ -1,8 +1,8 @@
 """Reads git repositories that strangers made; a program of its own, with limits on memory.
 
 Nothing of a repository is run, no hook, no filter, no program that its configuration names, since
-no git is started. Objects are read by Dulwich. Links and borrowed objects inside ``.git`` are
-refused, for they could lead to another student's repository.
+no git is started. Objects are read by Dulwich, settings not at all. Links and borrowed objects
+inside ``.git`` are refused, for they could lead to another student's repository.
 
 Each line of standard input is a request in JSON, each line of standard output its answer.
 """
@@ -47,11 +47,18 @@ def main() -> None:
 
 
 def _answer(request: dict[str, Any]) -> dict[str, Any]:
+    from dulwich.config import ConfigFile
     from dulwich.repo import Repo
+
+    class Plain(Repo):
+        """A repository whose own settings are not read: they may include any file."""
+
+        def get_config(self) -> ConfigFile:
+            return ConfigFile()
 
     path = os.fsdecode(base64.b64decode(request["path"]))
     _check(os.path.join(path, ".git"))
-    with Repo(path) as repo:
+    with Plain(path) as repo:
         if "commit" in request:
             return {"files": _files(repo, request["commit"].encode(), request["suffixes"])}
         return _choose(repo, request["until"])
@@ -75,7 +82,7 @@ def _check(folder: str) -> None:
             raise _Refused("it borrows objects from another repository")
 
 
-def _choose(repo: Any, until: float | None) -> dict[str, Any]:
+def _choose(repo: Any, until: float | None) -> dict[str, object]:
     """The last commit of the branch until a time, or the very last if there is none or no time."""
     head = repo[repo.head()]
     commit, later = head, 0
@@ -93,7 +100,7 @@ def _choose(repo: Any, until: float | None) -> dict[str, Any]:
     }
 
 
-def _files(repo: Any, commit: bytes, suffixes: list[str]) -> list[dict[str, Any]]:
+def _files(repo: Any, commit: bytes, suffixes: list[str]) -> list[dict[str, object]]:
     found: list[dict[str, Any]] = []
     left = [_MOST_ENTRIES, _MOST_BYTES]
     _collect(repo, repo[commit].tree, "", suffixes, found, left, 0)

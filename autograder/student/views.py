@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from autograder.course import Course
+from autograder.course.predictions import Guess, Prediction
 from autograder.course.questions import Question
 from autograder.kinds.mark import Mark
 from autograder.kinds.registry import kind_of
@@ -35,8 +36,10 @@ class _View:
         """What the grader may read from the saved output."""
         return None
 
-    def _repr_mimebundle_(self, include: Any = None, exclude: Any = None) -> dict[str, Any]:
-        bundle: dict[str, Any] = {
+    def _repr_mimebundle_(
+        self, include: object = None, exclude: object = None
+    ) -> dict[str, object]:
+        bundle: dict[str, object] = {
             "text/plain": repr(self),
             "text/markdown": "\n".join(self.lines()),
         }
@@ -54,7 +57,7 @@ class _View:
 class QuestionView(_View):
     """A question with its prompt, statements or cards, and the response so far."""
 
-    def __init__(self, question: Question, response: Any = None) -> None:
+    def __init__(self, question: Question, response: object = None) -> None:
         self.question = question
         self.response = response
 
@@ -75,10 +78,31 @@ class QuestionView(_View):
         return receipt(self.question.id, self.response)
 
 
+class PredictionView(_View):
+    """Something to predict, and what was predicted."""
+
+    def __init__(self, prediction: Prediction, value: Guess | None) -> None:
+        self.prediction = prediction
+        self.value = value
+
+    def lines(self) -> list[str]:
+        prediction = self.prediction
+        lines = [f"**{prediction.id} · Predict**", "", prediction.prompt, ""]
+        if self.value is not None:
+            return [*lines, f"You predicted: {prediction.in_words(self.value)}"]
+        lines += [f"{n}. {text}" for n, text in enumerate(prediction.choices, 1)]
+        example = "1" if prediction.choices else "NUMBER"
+        call = f'`predict("{prediction.id}", {example})`'
+        return [*lines, *[""] * bool(prediction.choices), f"Not predicted. To predict, run {call}."]
+
+    def receipt(self) -> dict[str, Any] | None:
+        return None if self.value is None else receipt(self.prediction.id, self.value)
+
+
 class MarkView(_View):
     """A mark with its feedback; the explanation is folded away."""
 
-    def __init__(self, question: Question, mark: Mark, response: Any) -> None:
+    def __init__(self, question: Question, mark: Mark, response: object) -> None:
         self.question = question
         self.mark = mark
         self.response = response
@@ -115,7 +139,7 @@ class MarkView(_View):
 class ProgressView(_View):
     """Points so far, chapter by chapter."""
 
-    def __init__(self, course: Course, entries: dict[str, dict[str, dict[str, Any]]]) -> None:
+    def __init__(self, course: Course, entries: dict[str, dict[str, dict[str, object]]]) -> None:
         self.course = course
         self.entries = entries
 

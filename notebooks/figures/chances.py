@@ -19,6 +19,7 @@ from notebooks.figures.style import (
     figure,
     not_written,
     note,
+    predicted_beside,
     quiet,
     show,
 )
@@ -91,6 +92,7 @@ def waiting_times(
         text += f" {beyond}"
     else:
         axes.set_title("Where must the line stand, so that 95 % of the runs lie to its left?")
+        text += " No number was given."
     show(fig, text)
 
 
@@ -130,6 +132,7 @@ def noisy_inliers(
     w: float,
     iterations: Any,
     rng: np.random.Generator,
+    predicted: float | None = None,
     runs: int = 1000,
     sigma: float = 0.005,
     threshold: float = 0.0125,
@@ -181,10 +184,11 @@ def noisy_inliers(
         quiet(axes)
         said.append(f"{name} {share:.1%}")
     left.set_ylabel(f"runs (of {runs})")
+    guess = predicted_beside(fig, predicted, " % for the best guess")
     show(
         fig,
         f"How many of the true inliers are kept, over {runs} runs of {iterations} iterations. "
-        f"Runs that keep 90 % or more: {', '.join(said)}.",
+        f"Runs that keep 90 % or more: {', '.join(said)}. {guess}",
     )
 
 

@@ -14,11 +14,13 @@ from notebooks.figures.style import (
     GREY,
     LIGHT,
     ORANGE,
+    PREDICTED,
     VERMILLION,
     attempt,
     figure,
     note,
     photograph,
+    predicted_beside,
     quiet,
     show,
 )
@@ -167,7 +169,12 @@ def agreement(
     )
 
 
-def first_places(searches: dict[str, Callable[..., Any]], images: Images, pairs: Pairs) -> None:
+def first_places(
+    searches: dict[str, Callable[..., Any]],
+    images: Images,
+    pairs: Pairs,
+    predicted: float | None = None,
+) -> None:
     """Let every photograph search among all others, and draw how often each search is right.
 
     `search(name, names)` returns one number for each of the names; the entry of the photograph
@@ -193,13 +200,16 @@ def first_places(searches: dict[str, Callable[..., Any]], images: Images, pairs:
             said.append(f"{label}: {right} of {len(asked)}")
     if not said:
         note(axes, NOT_YET)
+    if predicted is not None:
+        axes.axvline(predicted, color=PREDICTED, ls="--", lw=2)
+    guess = predicted_beside(fig, predicted, f" of {len(asked)}")
     axes.set_yticks(range(len(searches)), list(searches))
     axes.invert_yaxis()
     axes.set_xlim(0, len(asked) * 1.12)
     axes.set_xticks(range(0, len(asked) + 1, 5))
     axes.set_xlabel("photographs whose first place is right")
     quiet(axes)
-    show(fig, f"How often the first place is right. {'; '.join(said) or NOT_YET}")
+    show(fig, f"How often the first place is right. {'; '.join(said) or NOT_YET} {guess}")
 
 
 class _Decisions(NamedTuple):
@@ -221,6 +231,7 @@ def precision_recall(
     queries: tuple[str, ...],
     pairs: Pairs,
     wrong_costs: float,
+    predicted: str | None = None,
 ) -> None:
     """Draw precision and recall over the threshold of each score, on the walk and on the queries.
 
@@ -254,7 +265,8 @@ def precision_recall(
     if said:
         lines = next(axes for axes in panels[:, 0] if axes.lines).get_legend_handles_labels()
         fig.legend(*lines, fontsize=9, frameon=False, loc="outside upper center", ncols=3)
-    show(fig, f"Precision and recall over the threshold. {'; '.join(said) or NOT_YET}")
+    guess = predicted_beside(fig, predicted)
+    show(fig, f"Precision and recall over the threshold. {'; '.join(said) or NOT_YET} {guess}")
 
 
 def _decisions(

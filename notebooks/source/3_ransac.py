@@ -113,16 +113,19 @@ p = 0.95  # the probability of success that we want
 # When a point is drawn, it is an inlier with probability $w$. Strictly speaking, that changes a little once
 # a point has been taken out: of the 999 that remain, 199 are inliers. The cloud is large, so we neglect that.
 #
-# **Make a guess before you compute**: with four outliers for every inlier, how many samples must be drawn to
-# be 95 % sure that one of them holds inliers only? A dozen? A hundred? Ten thousand? Change the number; the
-# simulation draws samples in 10,000 runs and counts how many each run needed.
+# Make a guess before you compute:
 
 # %% demo=true
-my_guess = 12
-figures.waiting_times(N, w, 2, my_guess, np.random.default_rng(0))
+predict("P3.1")
 
 # %% [markdown]
-# You could go on trying until the blue part is 95 %. It is faster to compute it. A coin as an example: it falls on heads with
+# The simulation draws samples in 10,000 runs and counts how many each run needed.
+
+# %% demo=true
+figures.waiting_times(N, w, 2, predicted("P3.1"), np.random.default_rng(0))
+
+# %% [markdown]
+# You could put other numbers in place of `predicted("P3.1")` until the blue part is 95 %. It is faster to compute it. A coin as an example: it falls on heads with
 # probability 0.5, so $k$ tosses are all tails with probability $0.5^k$. To see heads at least once with probability
 # 0.99 we need $0.5^k \le 0.01$, so $k \ge \log 0.01 / \log 0.5 = 6.64$: seven tosses.
 
@@ -220,10 +223,13 @@ explore_ransac_steps(points, iterations)
 #
 # In the next simulation every run draws as many samples as you computed for a line, 200 points of a wall of one metre
 # are inliers, and each is 5 mm off or so. The threshold is 2.5 times that. How many of the true inliers does the best line
-# of each run keep? **Predict** the share of runs in which it keeps at least 90 %.
+# of each run keep?
 
 # %% demo=true
-figures.noisy_inliers(N, w, iterations, np.random.default_rng(0))
+predict("P3.2")
+
+# %% demo=true
+figures.noisy_inliers(N, w, iterations, np.random.default_rng(0), predicted("P3.2"))
 
 # %% [markdown]
 # On the left are the lines through two points, on the right the same after the last step of RANSAC: a fit by least squares to
@@ -256,12 +262,12 @@ figures.found_line(points, ransac_line, threshold=0.06, iterations=100)
 
 # %% exercise="Q3.7a"
 
-# %% [markdown]
-# Three hundred runs on the scan, each ended by your function. **Predict**: do they need more samples than the number that you would compute if you knew
-# the share of the largest wall, or fewer?
+# %% demo=true
+predict("P3.3")
 
 # %% demo=true
-figures.stopping(points, adaptive_stop, 0.06, p, np.random.default_rng(0))
+rng = np.random.default_rng(0)
+figures.stopping(points, adaptive_stop, 0.06, p, rng, predicted("P3.3"))
 
 # %% [markdown]
 # The threshold need not be tried out either, if the noise is known. When points are off by $\sigma$, the squared distance of an inlier from its line,
@@ -329,11 +335,13 @@ def plane_distances(points, plane):
 
 # %% [markdown]
 # The three largest planes of the cloud, by your function, one after the other: the points of each are taken away before it
-# looks for the next. **Before you run it**: if the largest plane holds two fifths of the points, how many iterations would
-# be enough for it?
+# looks for the next.
 
 # %% demo=true
-figures.largest_planes(bricks.points, ransac_plane, threshold=0.02, iterations=300)
+predict("P3.4")
+
+# %% demo=true
+figures.largest_planes(bricks.points, ransac_plane, 0.02, 300, predicted("P3.4"))
 
 # %% [markdown]
 # ## All the walls of a scan
