@@ -47,6 +47,9 @@ class TrueFalseKind(ChoiceKind[TrueFalse, TrueFalseAnswer]):
     def lines(self, question: TrueFalse, response: Any) -> list[str]:
         return given.lines(question, response)
 
+    def respond_line(self, question: TrueFalse, response: Any) -> str:
+        return given.respond_line(question, response)
+
     def widget(self, desk: Any, question: TrueFalse, *checked: Any) -> Any:
         from autograder.kinds.true_false.widget import TrueFalseWidget
 
