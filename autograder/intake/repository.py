@@ -114,7 +114,7 @@ def _coded(path: Path) -> str:
 
 def _ask(requests: Sequence[dict[str, Any]]) -> list[dict[str, Any]]:
     """The answer to each; a repository at which the reader dies is passed by."""
-    answers: list[dict[str, Any]] = []
+    answers: list[dict[str, object]] = []
     while len(answers) < len(requests):
         rest = requests[len(answers) :]
         lines = "".join(json.dumps(request) + "\n" for request in rest)

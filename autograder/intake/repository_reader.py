@@ -112,7 +112,7 @@ def _collect(
     tree: bytes,
     at: str,
     suffixes: list[str],
-    found: list[dict[str, Any]],
+    found: list[dict[str, object]],
     left: list[int],
     depth: int,
 ) -> None:

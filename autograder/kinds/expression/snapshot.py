@@ -38,7 +38,7 @@ def take_snapshot(answer: ExpressionAnswer, points: Points) -> dict[str, Any]:
     }
 
 
-def mark_snapshot(question: Expression, snapshot: dict[str, Any], values: Any) -> Mark:
+def mark_snapshot(question: Expression, snapshot: dict[str, Any], values: object) -> Mark:
     """Right, or wrong with one point at which it differs."""
     if isinstance(values, np.ndarray) and values.ndim == 2 and len(values) > 0:
         marks = [mark_snapshot(question, snapshot, row) for row in values]

@@ -14,7 +14,7 @@ _SHORT = 160  # characters of an input or a value that a hint may show
 
 
 def hint(
-    question: Function, case: Mapping[str, Any], expected: Mapping[str, Any], outcome: Any
+    question: Function, case: Mapping[str, Any], expected: Mapping[str, object], outcome: object
 ) -> str:
     """One failing case, in numbers if they are few."""
     arguments = [_shown(value) for value in case["args"]]

@@ -21,7 +21,7 @@ from autograder.kinds.function.shown import shown_outcome
 from autograder.kinds.mark import NO_VALUE, Mark, Part, status_for
 from autograder.marking.diagnosis.relations import Diagnosis
 
-Outcome = dict[str, Any]
+Outcome = dict[str, object]
 Compare = Callable[[dict[str, object], object, object], bool]
 
 
@@ -246,7 +246,7 @@ def _same_failure(expected: Outcome, actual: dict[str, object]) -> bool:
     return given == right
 
 
-def _drew_as_asked(case: dict[str, Any], outcome: dict[str, Any]) -> bool:
+def _drew_as_asked(case: dict[str, Any], outcome: dict[str, object]) -> bool:
     """Whether as many random numbers were taken as the case says, the ends of "draws" included."""
     if "draws" not in case:
         return True

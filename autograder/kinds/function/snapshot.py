@@ -45,7 +45,7 @@ def mark_snapshot(question: Function, snapshot: dict[str, Any], outcomes: list[A
     return Mark(question.id, "wrong", 0.0, question.points, feedback, parts=parts)
 
 
-def _is_wrong(case: dict[str, Any], outcome: Any) -> bool:
+def _is_wrong(case: dict[str, Any], outcome: object) -> bool:
     """Whether an outcome is nothing like the right one, or that of a known mistake."""
     if not (isinstance(outcome, dict) and "value" in outcome and "value" in case["expected"]):
         return True

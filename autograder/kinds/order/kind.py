@@ -48,7 +48,7 @@ class OrderKind(ChoiceKind[Order, OrderAnswer]):
     def lines(self, question: Order, response: Any) -> list[str]:
         return given.lines(question, response)
 
-    def widget(self, desk: Any, question: Order, *checked: Any) -> Any:
+    def widget(self, desk: Any, question: Order, *checked: object) -> Any:
         from autograder.kinds.order.widget import OrderWidget
 
         return OrderWidget(desk, question)

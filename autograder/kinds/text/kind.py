@@ -65,7 +65,7 @@ class TextKind(ChoiceKind[Text, TextAnswer]):
         kept = [f"> {line}" for line in str(response).splitlines()] if response else []
         return [*kept, "", f'Answer with `ask("{question.id}").respond("""...""")`.']
 
-    def widget(self, desk: Any, question: Text, *checked: Any) -> Any:
+    def widget(self, desk: Any, question: Text, *checked: object) -> Any:
         from autograder.kinds.text.widget import TextWidget
 
         return TextWidget(desk, question)

@@ -26,7 +26,7 @@ from autograder.sandbox.inside.plain_data import Unusable, describe, public_name
 __all__ = ["describe", "evaluate", "load_kinds"]
 
 
-def evaluate(response: Any, probe: dict[str, Any]) -> dict[str, Any]:
+def evaluate(response: object, probe: dict[str, Any]) -> dict[str, Any]:
     """Turn a response into plain data, as the probe's kind asks."""
     if response is ...:
         return {"state": "not attempted"}

@@ -64,7 +64,7 @@ class Notebook:
         cell_seconds: float = math.inf,
         seconds: float = math.inf,
         begin: Callable[[int], None] = lambda index: None,
-    ) -> dict[str, Any]:
+    ) -> dict[str, object]:
         """Run the cells one after the other, like "run all" that does not stop at an error.
 
         ``skip`` gives the error to report for cells (by index, as text) that are not to be run;

@@ -49,7 +49,7 @@ class PredictionWidget(CourseWidget):
             bundle[RECEIPT] = receipt(self.prediction.id, value)
         return bundle
 
-    def do_choose(self, message: dict[str, Any]) -> dict[str, Any]:
+    def do_choose(self, message: dict[str, Any]) -> dict[str, object]:
         """Keep a choice, by its number from 0."""
         self.desk.predict(self.prediction, self.prediction.choices[int(message["choice"])])
         return {}

@@ -14,7 +14,7 @@ from autograder.sandbox.inside.plain_data import Unusable, public_name, to_plain
 _LAZY = (GeneratorType, map, filter, zip, range, enumerate)  # nothing has been computed yet
 
 
-def evaluate(response: Any, probe: dict[str, Any]) -> dict[str, Any]:
+def evaluate(response: object, probe: dict[str, Any]) -> dict[str, Any]:
     """One outcome a case: {"value": ..}, {"unusable": reason} or {"raised": class}.
 
     With a value comes "changed": true if an argument was changed in place, and "drawn", how many
