@@ -7,7 +7,7 @@ comes true: the picture after it shows that.
 from __future__ import annotations
 
 import math
-from typing import Annotated, Any
+from typing import Annotated, Any, TypeGuard
 
 from msgspec import Meta
 
@@ -47,7 +47,7 @@ class Prediction(Written, frozen=True, kw_only=True):
         if self.between is not None and not self.between[0] < self.between[1]:
             raise ValueError("the first number of between must be below the second")
 
-    def fits(self, value: object) -> bool:
+    def fits(self, value: object) -> TypeGuard[Guess]:
         """Whether something stored, by anybody, can be this prediction."""
         if self.between is None:
             return isinstance(value, str) and value in self.choices

@@ -12,7 +12,6 @@ import importlib
 import inspect
 import tomllib
 from pathlib import Path
-from typing import Any
 
 from autograder.course.course import Course
 from autograder.course.own_code import OWN, put_first
@@ -28,7 +27,7 @@ def has_right_work(course: Course) -> bool:
     return (course.root / FOLDER).is_dir()
 
 
-def right_work_of(course: Course, question: Question) -> dict[str, Any]:
+def right_work_of(course: Course, question: Question) -> dict[str, object]:
     """The variants of a question by what they are called: functions, or texts as typed.
 
     Raises:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import lru_cache
 from pathlib import Path
-from typing import Any
 
 from autograder.course import Course, load_course
 from autograder.errors import AutograderError, UsageError
@@ -54,7 +53,7 @@ def _desk() -> Desk:
 class Asked(QuestionView):
     """A question on show; ``respond`` answers it."""
 
-    def respond(self, response: object) -> Any:
+    def respond(self, response: object) -> object:
         """Record a response and mark it.
 
         A true/false question takes a list of True, False or None; an order question a list of
@@ -63,7 +62,7 @@ class Asked(QuestionView):
         return _try(lambda: _respond(self.question.id, response))
 
 
-def ask(id: str) -> Any:
+def ask(id: str) -> object:
     """Show a question.
 
     Args:
@@ -72,7 +71,7 @@ def ask(id: str) -> Any:
     return _try(lambda: _ask(id))
 
 
-def check(id: str, response: object = MISSING) -> Any:
+def check(id: str, response: object = MISSING) -> object:
     """Mark a response: a value, an expression or a function, as the question asks.
 
     For a true/false or an order question, leave the response out: what was answered there is
@@ -86,7 +85,7 @@ def me(name: object) -> object:
     return _try(lambda: print(become(_course_at(course_of_notebook()), name)))
 
 
-def predict(id: str, value: object = MISSING) -> Any:
+def predict(id: str, value: object = MISSING) -> object:
     """Ask for a prediction, or give one; it is kept and has no points. The first one stands.
 
     Args:
@@ -97,7 +96,7 @@ def predict(id: str, value: object = MISSING) -> Any:
     return _try(lambda: _predict(id, value))
 
 
-def predicted(id: str) -> Any:
+def predicted(id: str) -> object:
     """Return what was predicted, for a picture to draw beside the truth: None if nothing was.
 
     Args:
@@ -116,7 +115,7 @@ def submit() -> object:
     return _try(lambda: _submit())
 
 
-def _try(action: Any) -> object:
+def _try(action: Callable[[], object]) -> object:
     """Say what is wrong in one sentence: a traceback would bury it."""
     try:
         return action()
@@ -125,12 +124,12 @@ def _try(action: Any) -> object:
         return None
 
 
-def _shown(view: object, widget: Callable[[], object]) -> Any:
+def _shown(view: object, widget: Callable[[], object]) -> object:
     """The view itself, or a widget where one can be drawn; it is made only to be drawn."""
     return Live(view, widget) if widgets_wanted() else view
 
 
-def _ask(id: str) -> Any:
+def _ask(id: str) -> object:
     desk = _desk()
     question = desk.course.question(id)
     marker_for(desk.course)  # starts marking in the background while the student reads
@@ -174,7 +173,7 @@ def _predict(id: str, value: object) -> object:
         if before is not None and prediction.read(value) != standing:
             print(f"You predicted {prediction.in_words(standing)} before; that stands.")
 
-    def widget() -> Any:
+    def widget() -> object:
         from autograder.student.widgets.prediction import PredictionWidget
 
         return PredictionWidget(desk, prediction)
@@ -185,7 +184,7 @@ def _predict(id: str, value: object) -> object:
 def _progress() -> object:
     desk = _desk()
 
-    def widget() -> Any:
+    def widget() -> object:
         from autograder.student.widgets.progress import ProgressWidget
 
         return ProgressWidget(desk)
@@ -197,7 +196,7 @@ def _submit() -> object:
     desk = _desk()
     view = _pack(desk)
 
-    def widget() -> Any:
+    def widget() -> object:
         from autograder.student.widgets.submission import SubmissionWidget
 
         return SubmissionWidget(desk, view, lambda: _pack(desk))

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from autograder.course import Course
 from autograder.course.predictions import Guess, Prediction
 from autograder.course.questions import Question
@@ -32,7 +30,7 @@ class _View:
         """The Markdown, line by line."""
         raise NotImplementedError
 
-    def receipt(self) -> dict[str, Any] | None:
+    def receipt(self) -> dict[str, object] | None:
         """What the grader may read from the saved output."""
         return None
 
@@ -72,7 +70,7 @@ class QuestionView(_View):
         lines += kind_of(question).lines(question, self.response)
         return lines
 
-    def receipt(self) -> dict[str, Any] | None:
+    def receipt(self) -> dict[str, object] | None:
         if self.response is None:
             return None
         return receipt(self.question.id, self.response)
@@ -95,7 +93,7 @@ class PredictionView(_View):
         call = f'`predict("{prediction.id}", {example})`'
         return [*lines, *[""] * bool(prediction.choices), f"Not predicted. To predict, run {call}."]
 
-    def receipt(self) -> dict[str, Any] | None:
+    def receipt(self) -> dict[str, object] | None:
         return None if self.value is None else receipt(self.prediction.id, self.value)
 
 
@@ -130,7 +128,7 @@ class MarkView(_View):
             ]
         return lines
 
-    def receipt(self) -> dict[str, Any] | None:
+    def receipt(self) -> dict[str, object] | None:
         if self.response is None:
             return None
         return receipt(self.question.id, self.response)

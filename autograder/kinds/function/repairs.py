@@ -7,12 +7,13 @@ repaired, and must then count as right.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
-from typing import Any
+from collections.abc import Callable, Iterator
 
 import numpy as np
 
-Case = Mapping[str, Any]
+from autograder.kinds.function.values import Value, Values
+
+Case = Values
 Repair = Callable[[Case, object, object], object]  # of a case, what is right, and what was given
 _PLACES = ("first", "second", "third", "fourth")
 _MOST_NUMBERS = 20_000
@@ -52,7 +53,7 @@ def _only_the_first(_: Case, right: object, given: object) -> object:
     return [given, *right[1:]]
 
 
-def _reversed(_: Case, right: object, given: Any) -> object:
+def _reversed(_: Case, right: object, given: Value) -> object:
     return given[::-1]
 
 
@@ -108,7 +109,7 @@ def _of_mask(_: Case, right: object, given: object) -> object:
     return np.flatnonzero(mask)
 
 
-def _of_others(case: Case, right: Any, given: object) -> Any:
+def _of_others(case: Case, right: Value, given: object) -> Value:
     array = _numbers(given)
     count = len(case["args"][0])
     if array.dtype.kind not in "iu" or array.ndim != 1 or not np.all(array < count):
@@ -116,7 +117,7 @@ def _of_others(case: Case, right: Any, given: object) -> Any:
     return np.setdiff1d(np.arange(count), array)
 
 
-def _of_entries(case: Case, right: object, given: Any) -> Any:
+def _of_entries(case: Case, right: object, given: Value) -> Value:
     """The indices of entries of the first argument."""
     entries, rows = np.asarray(case["args"][0]), np.asarray(given)
     if entries.ndim < 1 or rows.ndim != entries.ndim or rows.shape[1:] != entries.shape[1:]:
@@ -129,14 +130,14 @@ def _of_entries(case: Case, right: object, given: Any) -> Any:
     return np.flatnonzero(same.any(axis=0))
 
 
-def _of_count(_: Case, right: Any, given: object) -> object:
+def _of_count(_: Case, right: Value, given: object) -> object:
     if isinstance(given, bool | list | np.ndarray) or given != len(right):
         raise NotForThis
     return right
 
 
 def _at(place: int, repair: Repair) -> Repair:
-    def repaired(case: Case, right: Any, given: object) -> object:
+    def repaired(case: Case, right: Value, given: object) -> object:
         if not (isinstance(given, list) and place < len(given) == len(right) <= len(_PLACES)):
             raise NotForThis
         mended = repair(case, right[place], given[place])

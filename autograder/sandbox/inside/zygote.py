@@ -34,8 +34,9 @@ import traceback
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import NoReturn
 
+from autograder.exchange.messages import Message
 from autograder.sandbox import landlock, lockdown, seccomp
 from autograder.sandbox.inside.serve import prepare_process, serve
 from autograder.sandbox.inside.warm import warm
@@ -169,7 +170,7 @@ class Zygote:
             self._say({"ended": message["end"], "had": self._own_time.since(0.0)})
         return True
 
-    def _start(self, message: dict[str, Any], descriptor: int) -> None:
+    def _start(self, message: Message, descriptor: int) -> None:
         """Fork a child and wait until it is confined.
 
         Raises:

@@ -6,12 +6,13 @@ from typing import Any
 
 from autograder.course.questions import Question
 from autograder.errors import AutograderError
+from autograder.exchange.responses import Entry
 from autograder.kinds.mark import Mark
 from autograder.kinds.status import Status
 from autograder.reports.markdown import inline, markdown
 from autograder.student.desk import Desk, hints_open
 from autograder.student.receipts import RECEIPT, receipt
-from autograder.student.responses import Entry, attempts
+from autograder.student.responses import attempts
 from autograder.student.views import number, plural
 from autograder.student.widgets.base import CourseWidget, escaped
 
@@ -80,7 +81,7 @@ class QuestionWidget(CourseWidget):
         self.desk.open_hint(self.question)
         return {}
 
-    def receipt(self) -> dict[str, Any] | None:
+    def receipt(self) -> dict[str, object] | None:
         response = self.desk.entry(self.question).get("response")
         words = f"Kept for {self.question.id}: {self.words(response)}"
         bundle: dict[str, object] = {
