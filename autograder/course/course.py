@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
@@ -75,7 +75,11 @@ class Course:
     @cached_property
     def predictions(self) -> dict[str, Prediction]:
         """Everything that students predict, by its id, in the order of the course."""
-        return {entry.id: entry for chapter in self.chapters for entry in chapter.predictions}
+        return {
+            entry.id: entry.with_numbers(self.story(entry.story)) if entry.story else entry
+            for chapter in self.chapters
+            for entry in chapter.predictions
+        }
 
     def prediction(self, id: str) -> Prediction:
         """The prediction with this id.
@@ -110,6 +114,21 @@ class Course:
         variables = self.varied[id].variables
         assert variables is not None
         return variables.numbers(self.variants.get(id, 0))
+
+    def story(self, name: str) -> dict[str, int | float]:
+        """The numbers of a story here, by their names.
+
+        Raises:
+            UsageError: if no question tells it; the sentence lists the stories there are.
+        """
+        told: list[str] = []
+        for id, written in self.varied.items():
+            if written.table.get("story"):
+                told.append(written.table["story"])
+            if written.table.get("story") == name:
+                return self.numbers(id) or {}
+        listed = ", ".join(dict.fromkeys(told)) or "none"
+        raise UsageError(f"There is no story {name!r}; this course has {listed}.")
 
     def with_variants(self, variants: Mapping[str, int]) -> Course:
         """The course with these variants of the questions that have any; the others have 0.
@@ -224,6 +243,8 @@ class Course:
         """
         digest = hashlib.sha256()
         digest.update(f"{self.settings}\0{sorted(self.demo_cells)}\0".encode())
+        if self.personal:
+            digest.update(f"{self.others_count}\0".encode())
         for top, folder, pattern, left_out in (
             (self.root, QUESTIONS, "*.toml", ()),
             (self.root, ANSWERS, "*.toml", ()),
@@ -312,7 +333,9 @@ def load_course(root: Path | None = None) -> Course:
             Written.read(entry, path.stem, text, n, stories) for n, entry in enumerate(entries)
         )
         questions = tuple(entry.question() for entry in written)
-        predictions = _read_predictions(table.get("prediction", []), text, path.relative_to(root))
+        told = {entry.table.get("story") for entry in written}
+        tables = table.get("prediction", [])
+        predictions = _read_predictions(tables, text, path.relative_to(root), told)
         chapters.append(Chapter(path.stem, title, questions, written, predictions))
     if not chapters:
         raise CourseError(f"{root / QUESTIONS} holds no questions; add a CHAPTER.toml.")
@@ -339,14 +362,19 @@ def _read_stories(stories: object, text: str, file: Path) -> dict[str, Variables
     }
 
 
-def _read_predictions(tables: object, text: str, file: Path) -> tuple[Prediction, ...]:
+def _read_predictions(
+    tables: object, text: str, file: Path, told: Collection[object]
+) -> tuple[Prediction, ...]:
     if not (isinstance(tables, list) and all(isinstance(table, dict) for table in tables)):
         raise CourseError(f"{file}: each prediction is a table that begins with [[prediction]].")
     found = []
     for number, table in enumerate(tables):
         words = f"prediction {table.get('id', '?')!r} in {file.as_posix()}"
         place = Place(words, text, ("prediction", number))
-        found.append(read_table(table, Prediction, place, chapter=file.stem))
+        prediction = read_table(table, Prediction, place, chapter=file.stem)
+        if prediction.story and prediction.story not in told:
+            raise place.error("no question of this file tells that story", ("story",))
+        found.append(prediction)
     return tuple(found)
 
 

@@ -1,7 +1,8 @@
-"""``ask``, ``check``, ``me``, ``predict``, ``predicted``, ``progress`` and ``submit``."""
+"""What a notebook calls: ``ask``, ``check``, ``me``, ``numbers`` and the others."""
 
 from __future__ import annotations
 
+from collections import namedtuple
 from collections.abc import Callable
 from functools import lru_cache
 from pathlib import Path
@@ -19,6 +20,7 @@ from autograder.student.marker_client import marker_for
 from autograder.student.responses import answered, responses_folder
 from autograder.student.submission import pack_submission
 from autograder.student.views import (
+    IdentityView,
     MarkView,
     PredictionView,
     ProgressView,
@@ -39,12 +41,12 @@ def _course_at(root: Path) -> Course:
 
 @lru_cache(maxsize=1)
 def _desk_at(root: Path, student: str) -> Desk:
-    return Desk(_course_at(root).for_student(student))
+    return Desk(_course_at(root).for_student(student), student)
 
 
 def _desk() -> Desk:
     course = _course_at(course_of_notebook())
-    desk = _desk_at(course.root, student_of(course) if course.personal else "")
+    desk = _desk_at(course.root, student_of(course))
     for sentence in desk.mend():
         print(sentence)
     return desk
@@ -80,9 +82,20 @@ def check(id: str, response: object = MISSING) -> object:
     return _try(lambda: _check(id, response))
 
 
-def me(name: object) -> object:
-    """Say who you are, by the name or number of the class list; your numbers follow from it."""
-    return _try(lambda: print(become(_course_at(course_of_notebook()), name)))
+def me(name: object = MISSING) -> object:
+    """Say who you are, by the name or number of the class list; your numbers follow from it.
+
+    Without a name, a field asks for it.
+    """
+    return _try(lambda: _me(name))
+
+
+def numbers(story: str) -> object:
+    """Return the numbers of a story, by name and in order: ``N, w, p = numbers("cloud")``.
+
+    They are yours where everybody has their own, and else the sheet's.
+    """
+    return _try(lambda: _numbers(story))
 
 
 def predict(id: str, value: object = MISSING) -> object:
@@ -133,7 +146,7 @@ def _ask(id: str) -> object:
     desk = _desk()
     question = desk.course.question(id)
     marker_for(desk.course)  # starts marking in the background while the student reads
-    view = Asked(question, desk.entry(question).get("response"))
+    view = Asked(question, desk.entry(question).get("response"), desk.whose(question))
     return _shown(view, lambda: kind_of(question).widget(desk, question))
 
 
@@ -162,6 +175,26 @@ def _check(id: str, response: object) -> object:
     mark = desk.mark_value(question, response)
     view = MarkView(question, mark, desk.entry(question).get("response"))
     return _shown(view, lambda: kind_of(question).widget(desk, question, response, mark))
+
+
+def _me(name: object) -> object:
+    course = _course_at(course_of_notebook())
+    if name is not MISSING:
+        print(become(course, name))
+        return None
+    desk = _desk()
+
+    def widget() -> object:
+        from autograder.student.widgets.identity import IdentityWidget
+
+        return IdentityWidget(desk)
+
+    return _shown(IdentityView(desk.student), widget)
+
+
+def _numbers(story: str) -> tuple[int | float, ...]:
+    given = _desk().course.story(story)
+    return namedtuple("Numbers", given)(**given)
 
 
 def _predict(id: str, value: object) -> object:

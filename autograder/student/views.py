@@ -55,9 +55,10 @@ class _View:
 class QuestionView(_View):
     """A question with its prompt, statements or cards, and the response so far."""
 
-    def __init__(self, question: Question, response: object = None) -> None:
+    def __init__(self, question: Question, response: object = None, foot: str = "") -> None:
         self.question = question
         self.response = response
+        self.foot = foot
 
     def lines(self) -> list[str]:
         question = self.question
@@ -68,12 +69,25 @@ class QuestionView(_View):
             "",
         ]
         lines += kind_of(question).lines(question, self.response)
-        return lines
+        return [*lines, "", self.foot] if self.foot else lines
 
     def receipt(self) -> dict[str, object] | None:
         if self.response is None:
             return None
         return receipt(self.question.id, self.response)
+
+
+class IdentityView(_View):
+    """Who the student has said they are."""
+
+    def __init__(self, student: str) -> None:
+        self.student = student
+
+    def lines(self) -> list[str]:
+        call = '`me("Ada Lovelace")`'
+        if self.student:
+            return [f"You are **{self.student}**. To be somebody else, run {call} with that name."]
+        return [f"You have not said who you are. To say it, run {call} with your own name."]
 
 
 class PredictionView(_View):

@@ -36,6 +36,7 @@ class QuestionWidget(CourseWidget):
             "prompt": markdown(question.prompt) if self._with_prompt else "",
             "hints": [markdown(hint) for hint in question.hints],
             "marks": self.desk.can_mark(question),
+            "foot": self.desk.whose(question),
         }
 
     def what_is_kept(self) -> dict[str, object]:
