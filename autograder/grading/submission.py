@@ -83,7 +83,8 @@ def grade_contents(
     Where students have numbers of their own, these are those of whom the work says it is from.
     """
     contents = _by_chapter(contents, marker.course)
-    marker = marker.for_student(said_to_be(contents.sidecars))
+    student = said_to_be(contents.sidecars)
+    marker = marker.for_student(student)
     deadline = time.monotonic() + marker.course.settings.submission_seconds
     return [
         mark
@@ -95,6 +96,7 @@ def grade_contents(
             marker,
             sandbox,
             deadline,
+            student if marker.course.personal else "",
         )
     ]
 

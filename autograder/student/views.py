@@ -36,8 +36,10 @@ class _View:
         """What the grader may read from the saved output."""
         return None
 
-    def _repr_mimebundle_(self, include: Any = None, exclude: Any = None) -> dict[str, Any]:
-        bundle: dict[str, Any] = {
+    def _repr_mimebundle_(
+        self, include: object = None, exclude: object = None
+    ) -> dict[str, object]:
+        bundle: dict[str, object] = {
             "text/plain": repr(self),
             "text/markdown": "\n".join(self.lines()),
         }
@@ -55,9 +57,10 @@ class _View:
 class QuestionView(_View):
     """A question with its prompt, statements or cards, and the response so far."""
 
-    def __init__(self, question: Question, response: Any = None) -> None:
+    def __init__(self, question: Question, response: object = None, foot: str = "") -> None:
         self.question = question
         self.response = response
+        self.foot = foot
 
     def lines(self) -> list[str]:
         question = self.question
@@ -68,12 +71,25 @@ class QuestionView(_View):
             "",
         ]
         lines += kind_of(question).lines(question, self.response)
-        return lines
+        return [*lines, "", self.foot] if self.foot else lines
 
     def receipt(self) -> dict[str, Any] | None:
         if self.response is None:
             return None
         return receipt(self.question.id, self.response)
+
+
+class IdentityView(_View):
+    """Who the student has said they are."""
+
+    def __init__(self, student: str) -> None:
+        self.student = student
+
+    def lines(self) -> list[str]:
+        call = '`me("Ada Lovelace")`'
+        if self.student:
+            return [f"You are **{self.student}**. To be somebody else, run {call} with that name."]
+        return [f"You have not said who you are. To say it, run {call} with your own name."]
 
 
 class PredictionView(_View):
@@ -100,7 +116,7 @@ class PredictionView(_View):
 class MarkView(_View):
     """A mark with its feedback; the explanation is folded away."""
 
-    def __init__(self, question: Question, mark: Mark, response: Any) -> None:
+    def __init__(self, question: Question, mark: Mark, response: object) -> None:
         self.question = question
         self.mark = mark
         self.response = response
@@ -137,7 +153,7 @@ class MarkView(_View):
 class ProgressView(_View):
     """Points so far, chapter by chapter."""
 
-    def __init__(self, course: Course, entries: dict[str, dict[str, dict[str, Any]]]) -> None:
+    def __init__(self, course: Course, entries: dict[str, dict[str, dict[str, object]]]) -> None:
         self.course = course
         self.entries = entries
 
