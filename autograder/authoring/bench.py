@@ -12,7 +12,7 @@ from msgspec import structs
 
 from autograder.course import Course, load_course
 from autograder.course.questions import Question
-from autograder.course.variants import variants_of
+from autograder.course.right_work import right_work_of
 from autograder.kinds.answer import Answer
 from autograder.kinds.drawn import Drawn
 from autograder.kinds.registry import kind_of
@@ -81,7 +81,7 @@ class Bench:
 
     def _variant(self, question: Question, name: str) -> str:
         kind, answer = kind_of(question), self._answer(question)
-        written = variants_of(self._course, question)[name]
+        written = right_work_of(self._course, question)[name]
         try:
             response = kind.variant(question, written)
         except Exception as error:  # the course's own code may do anything

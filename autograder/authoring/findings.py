@@ -7,13 +7,12 @@ import json
 from contextlib import suppress
 from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import Any
 
 import msgspec
 
 from autograder.course import Course
 from autograder.course.questions import Question
-from autograder.course.variants import module_of, variants_of
+from autograder.course.right_work import module_of, right_work_of
 from autograder.kinds.answer import Answer
 from autograder.kinds.registry import kind_of
 from autograder.marking.mutants.clones import course_sources
@@ -48,7 +47,7 @@ def digest_of(course: Course, question: Question) -> str:
     answer = course.key[question.id]
     names = [*kind_of(question).code_names(answer)]
     module = module_of(course, question)
-    texts = [] if module else [*variants_of(course, question)]
+    texts = [] if module else [*right_work_of(course, question)]
     engine = [path for folder in _ENGINE for path in (_PACKAGE / folder).rglob("*.py")]
     digest = hashlib.sha256(f"{question}\0{_without_words(answer)}\0{texts}".encode())
     names += [module] if module else []
@@ -57,8 +56,8 @@ def digest_of(course: Course, question: Question) -> str:
     return digest.hexdigest()
 
 
-def _without_words(answer: Answer) -> dict[str, Any]:
-    fields: dict[str, Any] = msgspec.to_builtins(answer)
+def _without_words(answer: Answer) -> dict[str, object]:
+    fields: dict[str, object] = msgspec.to_builtins(answer)
     for name in ("explanation", "equivalent", "code"):
         fields.pop(name, None)
     return fields

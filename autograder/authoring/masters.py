@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -11,6 +12,8 @@ from autograder.course import Chapter, Course
 from autograder.errors import CourseError, UsageError
 
 MASTERS = Path("notebooks/source")
+_CALL = re.compile(r"(?<![\w.])(\w+)\(")
+_ASKS = re.compile(r"""\bpredict\(\s*["']([^"']*)["']""")
 
 
 @dataclass(frozen=True)
@@ -40,13 +43,25 @@ class Master:
         """The notebook's file name without its ending, such as ``3_ransac``."""
         return self.path.stem
 
+    @property
+    def calls(self) -> set[str]:
+        """The names of the functions that its cells call."""
+        code = (cell.source for cell in self.cells if cell.kind == "code")
+        return {name for source in code for name in _CALL.findall(source)}
+
+    @property
+    def predictions(self) -> list[str]:
+        """The ids of what is to be predicted in it."""
+        code = (cell.source for cell in self.cells if cell.kind == "code")
+        return [id for source in code for id in _ASKS.findall(source)]
+
 
 def read_masters(course: Course) -> list[Master]:
     """Every master of the course, in order.
 
     Raises:
-        CourseError: if a question is asked twice, in the wrong chapter, or never, or if an
-            exercise cell holds anything.
+        CourseError: if a question or a prediction is asked twice, in the wrong chapter, or never,
+            or if an exercise cell holds anything.
     """
     paths = sorted((course.root / MASTERS).glob("*.py"))
     if not paths:
@@ -59,7 +74,29 @@ def read_masters(course: Course) -> list[Master]:
                 f"{id} is asked {placed.count(id)} times in {MASTERS}; "
                 f'give it exactly one cell # %% exercise="{id}".'
             )
+    _check_predictions(course, masters)
     return masters
+
+
+def _check_predictions(course: Course, masters: list[Master]) -> None:
+    asked = [(id, master) for master in masters for id in master.predictions]
+    for id, master in asked:
+        if id not in course.predictions:
+            raise CourseError(
+                f"{master.path.name} asks for the prediction {id!r}, which is in no file of "
+                "notebooks/questions."
+            )
+        chapter = course.predictions[id].chapter
+        if master.chapter is None or master.chapter.name != chapter:
+            raise CourseError(
+                f"{master.path.name} asks for {id}, which belongs to {chapter}; move it."
+            )
+    for id in course.predictions:
+        times = [other for other, _ in asked].count(id)
+        if times != 1:
+            raise CourseError(
+                f'{id} is asked for {times} times in {MASTERS}; write predict("{id}") in one cell.'
+            )
 
 
 def _read_master(course: Course, path: Path) -> Master:

@@ -14,7 +14,7 @@ from autograder.authoring.findings import (
 )
 from autograder.authoring.sharing import share_out
 from autograder.course import Course
-from autograder.course.variants import variants_of
+from autograder.course.right_work import right_work_of
 from autograder.marking.mutants.mutant import Mutant
 
 
@@ -41,7 +41,7 @@ def try_all(
         trial = trial_of(course, course.question(id))
         mutants[id] = list(trial.mutants) if trial is not None else []
         jobs += [Job(id, mutant=index) for index in range(len(mutants[id]))]
-        jobs += [Job(id, variant=name) for name in variants_of(course, course.question(id))]
+        jobs += [Job(id, variant=name) for name in right_work_of(course, course.question(id))]
     survivors: dict[str, list[Survivor]] = {id: [] for id in waiting}
     variants: dict[str, dict[str, str]] = {id: {} for id in waiting}
     for done, (job, result) in enumerate(share_out(course.root, jobs), 1):

@@ -8,7 +8,12 @@ from autograder.authoring.findings import Findings, Survivor
 from autograder.authoring.mutation import try_all
 from autograder.course import Course
 from autograder.course.questions import Question
-from autograder.course.variants import FOLDER, has_variants, unexpected_variants, variants_of
+from autograder.course.right_work import (
+    FOLDER,
+    has_right_work,
+    right_work_of,
+    unexpected_right_work,
+)
 from autograder.kinds.registry import kind_of
 from autograder.marking.marker import Marker
 
@@ -22,7 +27,7 @@ def prove_by_mutants(
         CourseError: if the key or a variant cannot be loaded.
     """
     report("mutants")
-    problems = unexpected_variants(course)
+    problems = unexpected_right_work(course)
     for id, findings in try_all(course, report).items():
         question = course.question(id)
         problems += [f"{id}: {problem}" for problem in _mutants(course, question, findings)]
@@ -46,12 +51,12 @@ def kept_promises(course: Course) -> Iterator[str]:
 
 def tried_styles(course: Course) -> Iterator[str]:
     """For each question that has right work in other clothes, in how many styles."""
-    if not has_variants(course):
+    if not has_right_work(course):
         yield f"No question is tried with right work in other clothes: there is no {FOLDER}."
         return
     for id, question in course.questions.items():
         if kind_of(question).fewest_variants:
-            names = variants_of(course, question)
+            names = right_work_of(course, question)
             yield f"{id} is tried with right work in {len(names)} other styles."
 
 
@@ -99,7 +104,7 @@ def _variants(course: Course, question: Question, findings: Findings) -> Iterato
         if problem:
             yield f"the variant {name} must earn everything, but {problem}"
     fewest = kind_of(question).fewest_variants
-    if has_variants(course) and len(findings.variants) < fewest:
+    if has_right_work(course) and len(findings.variants) < fewest:
         yield (
             f"{FOLDER} has right work in {len(findings.variants)} other styles; "
             f"write at least {fewest}."

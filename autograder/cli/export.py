@@ -89,6 +89,13 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
             match = view.matches[record.student]
             if match.line:
                 warn(f"{record.student}: {match.reason}. In students.toml: {match.line}")
+    alike = exports.alike_for_canvas(class_list) if parsed.format == "canvas" else []
+    if alike:
+        warn(
+            f"Canvas cannot tell {_some([person.text() for person in alike])} apart: the class "
+            "list has no ID, SIS ID or login of theirs, so they are left out. Give the gradebook "
+            "that Canvas exports as --class-list."
+        )
     if view.missing:
         names = [person.name for person in view.missing]
         warn(f"{len(names)} students handed in nothing: {_some(names)}.")

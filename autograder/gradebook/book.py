@@ -69,7 +69,7 @@ class Gradebook:
                 raise
             self._db.execute("COMMIT")
 
-    def _rows(self, query: str, values: tuple[Any, ...] = ()) -> list[Any]:
+    def _rows(self, query: str, values: tuple[object, ...] = ()) -> list[Any]:
         with readable_errors(self.path):
             return self._db.execute(query, values).fetchall()
 
@@ -126,11 +126,12 @@ class Gradebook:
                 db.execute("DELETE FROM mark WHERE student = ?", (graded.submission.student,))
             db.execute(
                 "INSERT INTO submission "
-                "(student, path, fingerprint, status, notes, run, seconds, origin) "
-                "VALUES (?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT (student) DO UPDATE "
+                "(student, path, fingerprint, status, notes, run, seconds, origin, predictions) "
+                "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT (student) DO UPDATE "
                 "SET path = excluded.path, fingerprint = excluded.fingerprint, "
                 "status = excluded.status, notes = excluded.notes, run = excluded.run, "
-                "seconds = excluded.seconds, origin = excluded.origin",
+                "seconds = excluded.seconds, origin = excluded.origin, "
+                "predictions = excluded.predictions",
                 (
                     graded.submission.student,
                     path_to_text(graded.submission.path),
@@ -140,6 +141,7 @@ class Gradebook:
                     run.id,
                     graded.seconds,
                     json.dumps(graded.submission.origin.to_dict()),
+                    json.dumps(dict(graded.predictions)),
                 ),
             )
             db.executemany(
@@ -155,7 +157,7 @@ class Gradebook:
     ) -> Graded | None:
         """What was graded before: the same work, in the same run, with a mark for each question."""
         rows = self._rows(
-            "SELECT path, status, notes, seconds, origin FROM submission "
+            "SELECT path, status, notes, seconds, origin, predictions FROM submission "
             "WHERE student = ? AND fingerprint = ? AND run = ? AND status = 'graded'",
             (student, fingerprint, run.id),
         )
@@ -164,11 +166,14 @@ class Gradebook:
         )
         if not rows or not {question for (question,) in marked} >= set(questions):
             return None
-        path, status, notes, seconds, origin = rows[0]
+        path, status, notes, seconds, origin, predictions = rows[0]
         with readable_entries(self.path):
             marks = self._marks("WHERE student = ?", (student,))[student]
             submission = Submission(student, path_from_text(path), origin=_origin(origin))
-            return Graded(submission, status, fingerprint, marks, tuple(json.loads(notes)), seconds)
+            return Graded(
+                *(submission, status, fingerprint, marks, tuple(json.loads(notes)), seconds),
+                predictions=json.loads(predictions),
+            )
 
     def works(self, student: str) -> list[str]:
         """The fingerprints of what a student handed in until now, in the order they first came."""
@@ -286,14 +291,14 @@ class Gradebook:
             attempts.setdefault(student, []).append(Attempt(past, *fields))
         rows = self._rows(
             "SELECT student, path, fingerprint, status, notes, submission.seconds, origin, run, "
-            "seed, handed_in, late_days, late_percent, isolation, course_version "
+            "seed, handed_in, late_days, late_percent, isolation, course_version, predictions "
             f"FROM submission JOIN run ON run.id = submission.run {chosen} ORDER BY student",
             names,
         )
         found, works = [], self._works_of([row[0] for row in rows])
         for student, path, fingerprint, status, odd, seconds, origin, run, seed, *rest in rows:
             number = set_number(student, fingerprint, works.get(student, ()))
-            handed_in, late_days, late_percent, isolation, version = rest
+            handed_in, late_days, late_percent, isolation, version, predictions = rest
             submission = Submission(student, path_from_text(path), origin=_origin(origin))
             notes_on_files = tuple(json.loads(odd))
             found.append(
@@ -301,6 +306,7 @@ class Gradebook:
                     Graded(
                         *(submission, status, fingerprint, marks.get(student, ())),
                         *(notes_on_files, seconds),
+                        predictions=json.loads(predictions),
                     ),
                     run,
                     seed,
@@ -318,7 +324,9 @@ class Gradebook:
             )
         return found
 
-    def _marks(self, where: str = "", values: tuple[Any, ...] = ()) -> dict[str, tuple[Mark, ...]]:
+    def _marks(
+        self, where: str = "", values: tuple[object, ...] = ()
+    ) -> dict[str, tuple[Mark, ...]]:
         marks: dict[str, list[Mark]] = {}
         for student, text in self._rows(
             f"SELECT student, mark FROM mark {where} ORDER BY rowid", values
@@ -415,7 +423,7 @@ class Gradebook:
             )
 
     def _overrides(
-        self, where: str = "", values: tuple[Any, ...] = ()
+        self, where: str = "", values: tuple[object, ...] = ()
     ) -> Iterator[tuple[Override, bool]]:
         for row in self._rows(
             "SELECT student, question, points, reason, made_at, author, levels, response, disputed "
@@ -432,7 +440,7 @@ class Gradebook:
         """Every remark, oldest first."""
         return self._notes()
 
-    def _notes(self, where: str = "", values: tuple[Any, ...] = ()) -> list[Note]:
+    def _notes(self, where: str = "", values: tuple[object, ...] = ()) -> list[Note]:
         rows = self._rows(
             f"SELECT student, text, made_at, author FROM note {where} ORDER BY id", values
         )

@@ -91,6 +91,10 @@ CREATE TABLE attempt (             -- what a student had handed in before the su
     replaced_at TEXT NOT NULL      -- UTC, ISO 8601
 ) STRICT;
 """,
+    """
+-- JSON: what the student predicted, by id
+ALTER TABLE submission ADD COLUMN predictions TEXT NOT NULL DEFAULT '{}';
+""",
 )
 SCHEMA_VERSION = len(_STEPS)
 

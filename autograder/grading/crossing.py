@@ -9,7 +9,6 @@ import json
 from collections.abc import Collection
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 from autograder.grading.graded import Graded
 from autograder.grading.spread import Task
@@ -92,6 +91,7 @@ def pack_result(result: Graded | Broken) -> bytes:
             "seconds": result.seconds,
             "doubtful": result.is_doubtful,
             "numbers_of": result.numbers_of,
+            "predictions": dict(result.predictions),
         }
     )
 
@@ -110,8 +110,9 @@ def unpack_result(data: bytes, submission: Submission) -> Graded | Broken:
         fields["seconds"],
         fields["doubtful"],
         fields["numbers_of"],
+        fields["predictions"],
     )
 
 
-def _pack(fields: dict[str, Any]) -> bytes:
+def _pack(fields: dict[str, object]) -> bytes:
     return json.dumps(fields).encode()

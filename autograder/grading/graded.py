@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import traceback
-from collections.abc import Collection
-from dataclasses import dataclass
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass, field
 from pathlib import PurePath
 
 from autograder.course import Course
+from autograder.course.predictions import Guess
 from autograder.intake.submissions import Submission
 from autograder.marking import Mark, stopped
 
@@ -29,6 +30,7 @@ class Graded:
     seconds: float = 0.0
     is_doubtful: bool = False
     numbers_of: str = ""  # who the work says it is from, where each student has their own numbers
+    predictions: Mapping[str, Guess] = field(default_factory=dict)  # by id, as the course has them
 
     @property
     def total(self) -> float:

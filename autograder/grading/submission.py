@@ -7,6 +7,7 @@ from collections.abc import Collection
 from dataclasses import replace
 
 from autograder.course import Course
+from autograder.course.predictions import Guess
 from autograder.errors import AutograderError, machine_error
 from autograder.exchange.identity import said_to_be
 from autograder.grading.chapter import grade_chapter
@@ -51,7 +52,25 @@ def grade_submission(
     seconds = time.monotonic() - began
     doubtful = sandbox.doubt.is_doubtful
     said = said_to_be(contents.sidecars) if marker.course.personal else ""
-    return Graded(submission, "graded", fingerprint, marks, notes, seconds, doubtful, said)
+    predictions = predictions_of(contents, marker.course)
+    return Graded(
+        *(submission, "graded", fingerprint, marks, notes, seconds, doubtful, said, predictions)
+    )
+
+
+def predictions_of(contents: Contents, course: Course) -> dict[str, Guess]:
+    """What a student predicted: the saved responses are the truth, receipts stand in for them.
+
+    Both are files of a student; what the course does not ask for or does not allow is left out.
+    """
+    kept: dict[str, object] = {}
+    for notebook in contents.notebooks.values():
+        kept |= notebook.receipts
+    for entries in contents.sidecars.values():
+        kept |= {id: entry.get("response") for id, entry in entries.items()}
+    return {
+        id: value for id, asked in course.predictions.items() if asked.fits(value := kept.get(id))
+    }
 
 
 def grade_contents(
@@ -65,7 +84,8 @@ def grade_contents(
     Where students have numbers of their own, these are those of whom the work says it is from.
     """
     contents = _by_chapter(contents, marker.course)
-    marker = marker.for_student(said_to_be(contents.sidecars))
+    student = said_to_be(contents.sidecars)
+    marker = marker.for_student(student)
     deadline = time.monotonic() + marker.course.settings.submission_seconds
     return [
         mark
@@ -77,6 +97,7 @@ def grade_contents(
             marker,
             sandbox,
             deadline,
+            student if marker.course.personal else "",
         )
     ]
 

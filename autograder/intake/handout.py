@@ -9,6 +9,8 @@ from pathlib import PurePosixPath
 from autograder.course import Course
 from autograder.intake.notebook_reader import Notebook, Unreadable, read_notebook
 
+_STUBS = (" = ...", "raise NotImplementedError")  # the last words of a cell that is to be filled in
+
 
 @dataclass(frozen=True)
 class Handout(Collection[str]):
@@ -41,6 +43,10 @@ class Handout(Collection[str]):
             return False
         return set(_words(notebook.cells)) <= set(_words(handed_out))
 
+    def own_cells(self, chapter: str, notebook: Notebook) -> frozenset[str]:
+        """The code that was not handed out with this edition, cell by cell."""
+        return frozenset(_words(notebook.cells)) - set(_words(self.cells.get(chapter, ())))
+
     def chapter_asked_in(self, notebook: Notebook) -> str | None:
         """The chapter most of whose questions a notebook names, None if it names none."""
         code = "\n".join(notebook.cells)
@@ -69,6 +75,15 @@ def handout_of(course: Course) -> Handout:
         except (Unreadable, OSError):
             continue
     return Handout(questions, cells, frozenset(stems))
+
+
+def is_filled_in_by(own: frozenset[str], other: frozenset[str]) -> bool:
+    """Whether a notebook is of an earlier edition of the handout, which another one fills in.
+
+    Both are given by their own cells: what only the first one has are then stubs.
+    """
+    alone = own - other
+    return bool(alone) and all(cell.endswith(_STUBS) for cell in alone)
 
 
 def _words(cells: Collection[str]) -> list[str]:

@@ -48,6 +48,7 @@ class _Found:
     people: tuple[Person, ...]
     strength: int
     reason: str = ""
+    likely: tuple[Person, ...] = ()  # whom it may fit, though that is not known
 
 
 _BY_NAME, _BY_IDENTIFIER, _SETTLED = 0, 1, 2
@@ -87,7 +88,7 @@ def _conclude(
     candidates: list[Person] = []
     reasons: list[str] = []
     for entry in entries:
-        candidates += entry.people
+        candidates += entry.people or entry.likely
         if len(entry.people) != 1:
             reasons.append(entry.reason)
             continue
@@ -189,6 +190,8 @@ class _Index:
     def _by_name(self, claim: Claim) -> _Found:
         name = claim.name or claim.called
         fits = self._named(name) if name else ()
+        if not fits and claim.number and "-" in name:
+            return self._in_a_group(name)
         fits = fits or self._by(claim.login or claim.called, "local part")
         agreeing = tuple(person for person in fits if not _contradicts(person, claim))
         if fits and not agreeing:
@@ -200,6 +203,26 @@ class _Index:
         if len(agreeing) == 1:
             return _Found(agreeing, _BY_NAME)
         return _Found(agreeing, _BY_NAME, f"{claim.text()!r} {_fits(agreeing)}")
+
+    def _in_a_group(self, name: str) -> _Found:
+        """The people whose name follows that of a group, as Moodle writes ``Group A-Ada Lovelace``.
+
+        It is certain only if the list says that they are in the group: without it,
+        ``Jean-Luc Picard`` would be Luc Picard in a group that is called Jean.
+        """
+        likely: list[Person] = []
+        for cut in re.finditer("-", name):
+            group = plain_name(name[: cut.start()])
+            fits = self._named(name[cut.end() :])
+            inside = tuple(person for person in fits if group in _groups(person))
+            if inside:
+                reason = "" if len(inside) == 1 else f"{name!r} {_fits(inside)}"
+                return _Found(inside, _BY_NAME, reason)
+            likely += fits
+        if not likely:
+            return _Found((), _BY_NAME, f"{name!r} {_fits(())}")
+        reason = f"{name!r} {_fits(likely)}, if what stands before the name is a group"
+        return _Found((), _BY_NAME, reason, tuple(likely))
 
     def _named(self, name: str) -> tuple[Person, ...]:
         plain = plain_name(name)
@@ -215,6 +238,11 @@ class _Index:
             if fits := self._strong.get((kind, called)):
                 return tuple(fits)
         return ()
+
+
+def _groups(person: Person) -> set[str]:
+    """The groups of which a person is one; systems list several with commas."""
+    return {plain_name(group) for group in re.split(r"[,;|]", person.section)} - {""}
 
 
 def _agrees(person: Person, claim: Claim) -> bool:

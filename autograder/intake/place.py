@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import stat
 from collections.abc import Sequence
 from datetime import UTC, datetime
@@ -16,6 +17,8 @@ from autograder.intake.origin import Piece
 
 # What operating systems and editors leave behind; nobody hands these in.
 _SYSTEM = {"__macosx", "thumbs.db", "desktop.ini", ".ds_store", ".ipynb_checkpoints", "__pycache__"}
+# 3_ransac.ipynb.json, and a second download of it: 3_ransac.ipynb (1).json.
+_NOTEBOOK = re.compile(r"\.ipynb\s?(\(\d{1,9}\))?(\.json|\.txt)?\s?(\(\d{1,9}\))?\Z", re.IGNORECASE)
 _SYSTEM_STARTS = ("._", "~$")
 
 
@@ -223,10 +226,7 @@ def is_zip(place: Place) -> bool:
 
 def is_notebook_name(name: str) -> bool:
     """Whether it is called a notebook, perhaps with what browsers add to the name."""
-    name = name.lower()
-    return name.endswith((".ipynb", ".ipynb.json", ".ipynb.txt")) or (
-        ".ipynb" in name and name.rstrip("0123456789() ").endswith((".ipynb", ".ipynb.json"))
-    )
+    return _NOTEBOOK.search(name[-80:]) is not None
 
 
 def is_system(name: str) -> bool:

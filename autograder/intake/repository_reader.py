@@ -1,8 +1,8 @@
 """Reads git repositories that strangers made; a program of its own, with limits on memory.
 
 Nothing of a repository is run, no hook, no filter, no program that its configuration names, since
-no git is started. Objects are read by Dulwich. Links and borrowed objects inside ``.git`` are
-refused, for they could lead to another student's repository.
+no git is started. Objects are read by Dulwich, settings not at all. Links and borrowed objects
+inside ``.git`` are refused, for they could lead to another student's repository.
 
 Each line of standard input is a request in JSON, each line of standard output its answer.
 """
@@ -15,6 +15,8 @@ import os
 import stat
 import sys
 from typing import Any
+
+from autograder.exchange.messages import Message
 
 _MEMORY = 2**30
 _MOST_COMMITS = 20_000
@@ -46,12 +48,19 @@ def main() -> None:
         print(json.dumps(answer), flush=True)
 
 
-def _answer(request: dict[str, Any]) -> dict[str, Any]:
+def _answer(request: Message) -> Message:
+    from dulwich.config import ConfigFile
     from dulwich.repo import Repo
+
+    class Plain(Repo):
+        """A repository whose own settings are not read: they may include any file."""
+
+        def get_config(self) -> ConfigFile:
+            return ConfigFile()
 
     path = os.fsdecode(base64.b64decode(request["path"]))
     _check(os.path.join(path, ".git"))
-    with Repo(path) as repo:
+    with Plain(path) as repo:
         if "commit" in request:
             return {"files": _files(repo, request["commit"].encode(), request["suffixes"])}
         return _choose(repo, request["until"])
@@ -75,7 +84,7 @@ def _check(folder: str) -> None:
             raise _Refused("it borrows objects from another repository")
 
 
-def _choose(repo: Any, until: float | None) -> dict[str, Any]:
+def _choose(repo: Any, until: float | None) -> Message:
     """The last commit of the branch until a time, or the very last if there is none or no time."""
     head = repo[repo.head()]
     commit, later = head, 0
@@ -93,8 +102,8 @@ def _choose(repo: Any, until: float | None) -> dict[str, Any]:
     }
 
 
-def _files(repo: Any, commit: bytes, suffixes: list[str]) -> list[dict[str, Any]]:
-    found: list[dict[str, Any]] = []
+def _files(repo: Any, commit: bytes, suffixes: list[str]) -> list[Message]:
+    found: list[Message] = []
     left = [_MOST_ENTRIES, _MOST_BYTES]
     _collect(repo, repo[commit].tree, "", suffixes, found, left, 0)
     return found
@@ -105,7 +114,7 @@ def _collect(
     tree: bytes,
     at: str,
     suffixes: list[str],
-    found: list[dict[str, Any]],
+    found: list[Message],
     left: list[int],
     depth: int,
 ) -> None:

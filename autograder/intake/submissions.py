@@ -9,18 +9,17 @@ import hashlib
 import json
 import re
 import unicodedata
-from collections.abc import Collection, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from datetime import UTC, datetime
 from pathlib import Path, PurePosixPath
-from typing import Any
 
 from autograder.course import Settings
 from autograder.exchange.printable import JOINERS
-from autograder.exchange.responses import keep_response
+from autograder.exchange.responses import Entry, keep_response
 from autograder.intake.archive import shown
 from autograder.intake.handed_in import Files, Kept, read_files
-from autograder.intake.handout import Handout
+from autograder.intake.handout import Handout, is_filled_in_by
 from autograder.intake.notebook_reader import (
     Notebook,
     Unreadable,
@@ -45,6 +44,7 @@ _COPY = re.compile(r"(?:\(\d{1,9}\)|[ _-]copy[ _-]?\d{0,9})\Z", re.IGNORECASE)
 _MAX_NAME = 100
 _MAX_STEM = 255  # what a file system allows; a zip may claim 65,535
 _MOST_NAMES = 4  # in one sentence
+_MOST_COMPARED = 50  # copies of one notebook
 _NO_TIME = datetime(1980, 1, 1, tzinfo=UTC)
 
 
@@ -77,7 +77,7 @@ class Contents:
     """
 
     notebooks: dict[str, Notebook]
-    sidecars: dict[str, dict[str, Any]] = field(default_factory=dict)
+    sidecars: dict[str, dict[str, Entry]] = field(default_factory=dict)
     unreadable: dict[str, str] = field(default_factory=dict)
     notes: list[str] = field(default_factory=list)
     fingerprint: str = ""
@@ -136,6 +136,8 @@ def read_submission(
     notebooks: dict[str, Notebook] = {}
     unreadable: dict[str, str] = {}
     for chapter, copies in sorted(_by_chapter(files, handout, notes).items()):
+        if len(copies) > 1:
+            copies = _with_earlier_handouts(copies, chapter, handout)
         best, *others = sorted(copies, key=_first_choice)
         if others:
             notes.append(_which_was_marked(best, others))
@@ -183,7 +185,23 @@ def _by_chapter(files: Files, handout: Handout, notes: list[str]) -> dict[str, l
     return by_chapter
 
 
-def _first_choice(copy: _Copy) -> tuple[Any, ...]:
+def _with_earlier_handouts(copies: list[_Copy], chapter: str, handout: Handout) -> list[_Copy]:
+    """The copies, where those that another one fills in are known as untouched."""
+    own = {
+        copy.path: handout.own_cells(chapter, copy.notebook)
+        for copy in copies[:_MOST_COMPARED]
+        if copy.notebook is not None and not copy.untouched
+    }
+    answered = {copy.path for copy in copies if copy.notebook and copy.notebook.receipts}
+    stale = {
+        path
+        for path in own.keys() - answered
+        if any(is_filled_in_by(own[path], other) for other in own.values())
+    }
+    return [replace(copy, untouched=copy.untouched or copy.path in stale) for copy in copies]
+
+
+def _first_choice(copy: _Copy) -> tuple[object, ...]:
     """Sort key: what can be read, what is the student's own, the newest, the plainest name."""
     time = copy.kept.time or _NO_TIME
     return (
@@ -260,9 +278,9 @@ def _without_copy(stem: str) -> str:
     return stem
 
 
-def _read_sidecars(files: Files, notes: list[str]) -> dict[str, dict[str, Any]]:
+def _read_sidecars(files: Files, notes: list[str]) -> dict[str, dict[str, Entry]]:
     """The saved responses by chapter: of the newest piece, the outermost first."""
-    sidecars: dict[str, dict[str, Any]] = {}
+    sidecars: dict[str, dict[str, Entry]] = {}
     left_out = []
     paths = [path for path in files.kept if not is_notebook_name(path.name)]
     for path in sorted(paths, key=lambda path: (-files.kept[path].order, *_plainest(path))):
@@ -278,20 +296,21 @@ def _read_sidecars(files: Files, notes: list[str]) -> dict[str, dict[str, Any]]:
     return sidecars
 
 
-def _read_sidecar(data: bytes, name: str) -> dict[str, Any]:
+def _read_sidecar(data: bytes, name: str) -> dict[str, Entry]:
     document = parse_json(data, name)
     responses = document.get("responses") if isinstance(document, dict) else None
     if not isinstance(responses, dict):
         raise Unreadable(f"{name} holds no responses.")
-    entries: dict[str, Any] = {}
+    entries: dict[str, Entry] = {}
     for id, entry in responses.items():
         if isinstance(entry, dict) and "response" in entry:
-            entries |= keep_response(id, entry)
+            kept = keep_response(id, entry)
+            entries |= {id: plain for id, plain in kept.items() if isinstance(plain, dict)}
     return entries
 
 
 def _fingerprint(
-    notebooks: dict[str, Notebook], sidecars: dict[str, Any], unreadable: dict[str, str]
+    notebooks: dict[str, Notebook], sidecars: Mapping[str, object], unreadable: dict[str, str]
 ) -> str:
     matter = [
         {name: [book.cells, book.receipts] for name, book in notebooks.items()},

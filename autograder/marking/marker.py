@@ -9,7 +9,6 @@ from __future__ import annotations
 import threading
 from collections.abc import Collection
 from dataclasses import replace
-from typing import Any
 
 from autograder.course import Course
 from autograder.course.questions import Question
@@ -87,7 +86,7 @@ class Marker:
         for id in self.course.questions if ids is None else ids:
             self.drawn(id)
 
-    def mark(self, id: str, response: Any, understood: str = "") -> Mark:
+    def mark(self, id: str, response: object, understood: str = "") -> Mark:
         """Mark a response: what a widget kept, or what came back for the question's probe.
 
         Nothing in it is trusted. ``understood`` is what it looked like before any probe was sent.
@@ -96,9 +95,19 @@ class Marker:
         mark = kind_of(question).mark(
             question, self.course.key[id], self.drawn(id), response, understood
         )
-        if id in self.course.variants and mark.status == "wrong" and mark.alternative is None:
+        nameless = mark.status == "wrong" and mark.alternative is None
+        if nameless and self._has_others(id):
             return self._of_other_numbers(mark, response, understood) or mark
         return mark
+
+    def _has_others(self, id: str) -> bool:
+        """Whether a response can be right for the numbers of somebody else, and not by chance.
+
+        Any choice of statements and any order of cards fits some deal of them.
+        """
+        if not self.course.personal or id not in self.course.varied:
+            return False
+        return bool(kind_of(self.course.question(id)).formulas)
 
     def _all_variants(self, id: str) -> list[tuple[Question, Answer, Drawn]]:
         """The variants of a question, made once for all students."""
@@ -107,13 +116,13 @@ class Marker:
             assert variables is not None
             made = []
             for variant in range(min(variables.count, MOST_TRIED)):
-                course = self.course.with_variants({id: variant})
+                course = self.course.with_variants({**self.course.variants, id: variant})
                 question, answer = course.question(id), course.key[id]
                 made.append((question, answer, draw(question, answer, self.seed, course.root)))
             self._variants[id] = made
         return self._variants[id]
 
-    def _of_other_numbers(self, mark: Mark, response: Any, understood: str) -> Mark | None:
+    def _of_other_numbers(self, mark: Mark, response: object, understood: str) -> Mark | None:
         """The mark with a name, if the response is right for the numbers of somebody else."""
         variables = self.course.varied[mark.question].variables
         assert variables is not None

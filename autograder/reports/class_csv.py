@@ -16,7 +16,8 @@ from autograder.reports.statistics import needs_help, section_of
 def write_class_csv(
     folder: Path, course: Course, records: Sequence[Record], found: ClassFindings | None = None
 ) -> None:
-    """Write class_questions.csv, class_mistakes.csv and class_students.csv.
+    """Write class_questions.csv, class_mistakes.csv, class_students.csv, and class_predictions.csv
+    if the course asks for predictions.
 
     ``found`` is what was gathered from the records, if that was done before.
     """
@@ -46,6 +47,10 @@ def write_class_csv(
         rows.append([mistake.question, mistake.name, named, len(mistake.students), names])
     write_csv(folder / "class_mistakes.csv", rows)
     write_csv(folder / "class_students.csv", _students(course, records))
+    if course.predictions:
+        rows = [["prediction", "predicted", "count"]]
+        rows += [[e.asked.id, name, count] for e in found.predicted for name, count in e.rows()]
+        write_csv(folder / "class_predictions.csv", rows)
 
 
 def _students(course: Course, records: Iterable[Record]) -> Iterator[Sequence[object]]:

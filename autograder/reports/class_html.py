@@ -13,6 +13,7 @@ from autograder.reports.markdown import inline, text
 from autograder.reports.page import page, table
 from autograder.reports.patterns import definitions
 from autograder.reports.people_html import Links, needy_html, to_do_html
+from autograder.reports.predictions import predictions_html
 from autograder.reports.statistics import (
     FEWEST,
     STOPPED,
@@ -72,6 +73,7 @@ def class_html(
     if run is not None and run.isolation:
         header.append(f'<p class="soft">Student code was isolated with {text(run.isolation)}.</p>')
     to_do = to_do_html(view, found, links) if view is not None else ""
+    predictions = predictions_html(found.predicted, found.count)
     sections = [
         *([_section("What needs a person", to_do)] if to_do else []),
         _section("Who needs help", needy_html(course, found, links)),
@@ -79,11 +81,14 @@ def class_html(
         _section("Questions that look broken", _broken(statistics, found.count)),
         _section("Questions", _questions(statistics)),
         _section("The most common mistakes", _mistakes(found.mistakes, links)),
+        *([_section("What was predicted", predictions)] if predictions else []),
         _section("Time and failures", _time_and_failures(found, run, links)),
     ]
+    predicted = "class_predictions.csv, " if course.predictions else ""
     footer = (
-        "<p>The same as tables: class_questions.csv, class_mistakes.csv, class_students.csv, and "
-        "grades.csv with every mark. This page names students; keep it among instructors.</p>"
+        "<p>The same as tables: class_questions.csv, class_mistakes.csv, class_students.csv, "
+        f"{predicted}and grades.csv with every mark. This page names students; "
+        "keep it among instructors.</p>"
     )
     return page("The class", "\n".join(header), "\n".join(sections), footer, wide=True)
 

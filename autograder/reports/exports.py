@@ -8,12 +8,14 @@ grade item and its feedback (docs.moodle.org, "Grade import").
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
 from pathlib import Path
 
 from autograder.course import Course
 from autograder.gradebook.record import Record
 from autograder.intake.class_list import ClassList
+from autograder.intake.matching import plain_name
 from autograder.intake.person import Person
 from autograder.reports.files import write_csv
 from autograder.reports.grades_csv import NOT_YET, points_cell
@@ -38,15 +40,28 @@ def match(
     return [(student, found.get(student)) for student in class_list.students], left
 
 
+def alike_for_canvas(class_list: ClassList) -> list[Person]:
+    """Those of whom nothing that Canvas knows is in the class list but a name that others share."""
+    named = Counter(plain_name(student.name) for student in class_list.students)
+    return [
+        student
+        for student in class_list.students
+        if not (student.id or student.sis_id or student.login)
+        and named[plain_name(student.name)] > 1
+    ]
+
+
 def write_canvas(
     path: Path, course: Course, class_list: ClassList, records: Sequence[Record]
 ) -> list[Record]:
     """Write a file for Canvas's gradebook import; returns the work that is nobody's.
 
     Who handed in nothing, or has a question that waits for a person, gets an empty cell, which
-    leaves the grade in Canvas open.
+    leaves the grade in Canvas open. Those whom it cannot tell apart are left out.
     """
     pairs, left = match(class_list, records)
+    apart = set(class_list.students) - set(alike_for_canvas(class_list))
+    pairs = [pair for pair in pairs if pair[0] in apart]
     number = f" ({class_list.canvas_id})" if class_list.canvas_id else ""
     header = ["Student", "ID", "SIS User ID", "SIS Login ID", "Section"]
     rows: list[list[object]] = [

@@ -14,6 +14,7 @@ from typing import Any, Generic, TypeVar
 from autograder.course import Course
 from autograder.gradebook.record import Names, Record
 from autograder.reports.machine import most_for
+from autograder.reports.predictions import Predicted
 from autograder.reports.statistics import (
     STOPPED,
     Mistake,
@@ -70,6 +71,7 @@ class ClassFindings:
     chapters: dict[str, float] = field(default_factory=dict)
     questions: list[QuestionStatistics] = field(default_factory=list)
     mistakes: list[Mistake] = field(default_factory=list)
+    predicted: list[Predicted] = field(default_factory=list)
     needy: list[Needy] = field(default_factory=list)
     needy_count: int = 0
     needy_in: dict[str, Some] = field(default_factory=dict)
@@ -91,12 +93,15 @@ class ClassFindings:
 def gather(course: Course, records: Iterable[Record]) -> ClassFindings:
     """Go through the records once."""
     found = ClassFindings()
+    found.predicted = [Predicted(asked) for asked in course.predictions.values()]
     sums, made = QuestionSums(course), MistakesMade(course)
     needy: _Least[Needy] = _Least(lambda entry: (entry.total, entry.student))
     slowest: _Least[tuple[float, str]] = _Least(lambda entry: (-entry[0], entry[1]), 3)
     for record in records:
         sums.add(record)
         made.add(record)
+        for entry in found.predicted:
+            entry.add(record)
         if not found.count:
             found.most = most_for(course, record)
         found.names.add(record)

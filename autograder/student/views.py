@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from autograder.course import Course
+from autograder.course.predictions import Guess, Prediction
 from autograder.course.questions import Question
 from autograder.kinds.mark import Mark
 from autograder.kinds.registry import kind_of
@@ -31,12 +30,14 @@ class _View:
         """The Markdown, line by line."""
         raise NotImplementedError
 
-    def receipt(self) -> dict[str, Any] | None:
+    def receipt(self) -> dict[str, object] | None:
         """What the grader may read from the saved output."""
         return None
 
-    def _repr_mimebundle_(self, include: Any = None, exclude: Any = None) -> dict[str, Any]:
-        bundle: dict[str, Any] = {
+    def _repr_mimebundle_(
+        self, include: object = None, exclude: object = None
+    ) -> dict[str, object]:
+        bundle: dict[str, object] = {
             "text/plain": repr(self),
             "text/markdown": "\n".join(self.lines()),
         }
@@ -54,9 +55,10 @@ class _View:
 class QuestionView(_View):
     """A question with its prompt, statements or cards, and the response so far."""
 
-    def __init__(self, question: Question, response: Any = None) -> None:
+    def __init__(self, question: Question, response: object = None, foot: str = "") -> None:
         self.question = question
         self.response = response
+        self.foot = foot
 
     def lines(self) -> list[str]:
         question = self.question
@@ -67,18 +69,52 @@ class QuestionView(_View):
             "",
         ]
         lines += kind_of(question).lines(question, self.response)
-        return lines
+        return [*lines, "", self.foot] if self.foot else lines
 
-    def receipt(self) -> dict[str, Any] | None:
+    def receipt(self) -> dict[str, object] | None:
         if self.response is None:
             return None
         return receipt(self.question.id, self.response)
 
 
+class IdentityView(_View):
+    """Who the student has said they are."""
+
+    def __init__(self, student: str) -> None:
+        self.student = student
+
+    def lines(self) -> list[str]:
+        call = '`me("Ada Lovelace")`'
+        if self.student:
+            return [f"You are **{self.student}**. To be somebody else, run {call} with that name."]
+        return [f"You have not said who you are. To say it, run {call} with your own name."]
+
+
+class PredictionView(_View):
+    """Something to predict, and what was predicted."""
+
+    def __init__(self, prediction: Prediction, value: Guess | None) -> None:
+        self.prediction = prediction
+        self.value = value
+
+    def lines(self) -> list[str]:
+        prediction = self.prediction
+        lines = [f"**{prediction.id} · Predict**", "", prediction.prompt, ""]
+        if self.value is not None:
+            return [*lines, f"You predicted: {prediction.in_words(self.value)}"]
+        lines += [f"{n}. {text}" for n, text in enumerate(prediction.choices, 1)]
+        example = "1" if prediction.choices else "NUMBER"
+        call = f'`predict("{prediction.id}", {example})`'
+        return [*lines, *[""] * bool(prediction.choices), f"Not predicted. To predict, run {call}."]
+
+    def receipt(self) -> dict[str, object] | None:
+        return None if self.value is None else receipt(self.prediction.id, self.value)
+
+
 class MarkView(_View):
     """A mark with its feedback; the explanation is folded away."""
 
-    def __init__(self, question: Question, mark: Mark, response: Any) -> None:
+    def __init__(self, question: Question, mark: Mark, response: object) -> None:
         self.question = question
         self.mark = mark
         self.response = response
@@ -106,7 +142,7 @@ class MarkView(_View):
             ]
         return lines
 
-    def receipt(self) -> dict[str, Any] | None:
+    def receipt(self) -> dict[str, object] | None:
         if self.response is None:
             return None
         return receipt(self.question.id, self.response)
@@ -115,7 +151,7 @@ class MarkView(_View):
 class ProgressView(_View):
     """Points so far, chapter by chapter."""
 
-    def __init__(self, course: Course, entries: dict[str, dict[str, dict[str, Any]]]) -> None:
+    def __init__(self, course: Course, entries: dict[str, dict[str, dict[str, object]]]) -> None:
         self.course = course
         self.entries = entries
 

@@ -30,9 +30,10 @@ function render({ model, el }) {
   const result = make("p", { class: "ex-result", role: "status" });
   const size = [440, 380];
   const views = [0, 1, 2, 3].map(() => make("div", {}));
+  const guess = given.predicted ? `You predicted that it jumps: ${plainText(given.predicted)}.` : "You have not predicted when it jumps.";
   root.append(
     make("p", {}, "Drag the points, or choose one and move it with the sliders. ■ is the outlier."),
-    chosen.row, x.row, y.row, turn.row, again, result, make("div", { class: "ex-pictures ex-views" }, ...views),
+    chosen.row, x.row, y.row, turn.row, again, result, make("p", {}, guess), make("div", { class: "ex-pictures ex-views" }, ...views),
   );
   let turnedBy = 0;
   const frame = fitted([[-1, -1], [reach, reach]], ...size);
@@ -215,6 +216,11 @@ function render({ model, el }) {
   }
 
   update();
+}
+
+// What a formula in a sentence looks like without its signs for typesetting.
+function plainText(sentence) {
+  return sentence.replaceAll(/[${}]/g, "");
 }
 
 // The centre, and the sums of squares and products around it.

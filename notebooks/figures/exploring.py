@@ -13,6 +13,7 @@ from notebooks.figures.style import (
     draw_line,
     figure,
     plan,
+    predicted_beside,
     quiet,
     show,
 )
@@ -48,7 +49,7 @@ def ransac_steps(points: np.ndarray, run: Any, threshold: float) -> None:
     )
 
 
-def cloud_views(points: np.ndarray) -> None:
+def cloud_views(points: np.ndarray, predicted: str | None = None) -> None:
     """Draw points, of which the last is an outlier, their cost over r and alpha, and over alpha."""
     fig = figure(8, 3.2)
     scene, space, cost = fig.subplots(1, 3)
@@ -84,6 +85,7 @@ def cloud_views(points: np.ndarray) -> None:
             axes.plot(
                 np.degrees(line[1]), height(line), marker, color=VERMILLION, mec="white", ms=9
             )
+    predicted_beside(fig, predicted)
     show(
         fig,
         f"{len(points)} points, one of them an outlier, in three views. The cost is least at "

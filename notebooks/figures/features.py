@@ -8,7 +8,17 @@ import cv2
 import numpy as np
 from matplotlib.ticker import ScalarFormatter
 
-from notebooks.figures.style import BLUE, GREY, LIGHT, ORANGE, figure, photograph, quiet, show
+from notebooks.figures.style import (
+    BLUE,
+    GREY,
+    LIGHT,
+    ORANGE,
+    figure,
+    photograph,
+    predicted_beside,
+    quiet,
+    show,
+)
 from notebooks.two_views import two_views
 
 
@@ -42,7 +52,10 @@ def keypoints(image: np.ndarray, found: Sequence[Any], most: int = 300) -> None:
 
 
 def compare_features(
-    images: dict[str, np.ndarray], pairs: Collection[frozenset[str]], count: int = 1000
+    images: dict[str, np.ndarray],
+    pairs: Collection[frozenset[str]],
+    predicted: str | None = None,
+    count: int = 1000,
 ) -> None:
     """Compare SIFT and ORB on all pairs of photographs that show the same place.
 
@@ -90,9 +103,11 @@ def compare_features(
     dots.legend(fontsize=8)
     for axes in (clock, dots):
         quiet(axes)
+    guess = predicted_beside(fig, predicted)
     show(
         fig,
-        f"SIFT and ORB on {len(listed)} pairs of photographs of the same place. {'; '.join(said)}.",
+        f"SIFT and ORB on {len(listed)} pairs of photographs of the same place. {'; '.join(said)}. "
+        f"{guess}",
     )
 
 
@@ -116,7 +131,7 @@ def binary_descriptors(one: np.ndarray, other: np.ndarray) -> None:
         ("found again", images[1], others[best.trainIdx], other_bits[best.trainIdx]),
         ("another spot", images[0], spots[third], bits[third]),
     ]
-    fig = figure(8, 2.6)
+    fig = figure(8, 1.7)
     panels = fig.subplots(1, 6)
     said = []
     for n, (title, image, spot, descriptor) in enumerate(shown):

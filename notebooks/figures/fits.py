@@ -10,6 +10,7 @@ from notebooks.figures.style import (
     GREEN,
     GREY,
     ORANGE,
+    PREDICTED,
     SKY,
     VERMILLION,
     attempt,
@@ -18,6 +19,7 @@ from notebooks.figures.style import (
     not_written,
     note,
     plan,
+    predicted_beside,
     quiet,
     show,
 )
@@ -69,6 +71,7 @@ def uncertain_line(
     fit_line: Callable[..., Any],
     line_covariance: Callable[..., Any],
     sigma: float,
+    predicted: str | None = None,
 ) -> None:
     """Draw the wall stretched across, with the band in which the line lies in 95 % of all cases."""
     fig = figure(8, 3.6)
@@ -97,20 +100,27 @@ def uncertain_line(
     spread = np.sqrt(np.diag(covariance))
     said = f"σ of r: {1000 * spread[0]:.1f} mm, σ of α: {np.degrees(spread[1]):.3f}°"
     axes.set_title(said)
-    show(fig, f"The wall's points around the fitted line, with its uncertainty: {said}.")
+    guess = predicted_beside(fig, predicted)
+    show(fig, f"The wall's points around the fitted line, with its uncertainty: {said}. {guess}")
 
 
 def one_outlier(
-    wall: np.ndarray, fit_line: Callable[..., Any], offsets: tuple[float, ...] = (0.0, 1.0, 3.0)
+    wall: np.ndarray,
+    fit_line: Callable[..., Any],
+    predicted: float | None = None,
+    offsets: tuple[float, ...] = (0.0, 1.0, 3.0),
 ) -> None:
-    """Move the last point of a wall towards the robot, step by step (m), and fit again."""
-    fig = figure(8, 3.6)
+    """Move the last point of a wall towards the robot, step by step (m), and fit again.
+
+    `predicted` is by how many degrees the first step was expected to turn the line, which is drawn.
+    """
+    fig = figure(8, 4.2)
     panels = fig.subplots(1, len(offsets), sharex=True, sharey=True)
     length = wall[-1] - wall[0]
     across = np.array([-length[1], length[0]]) / np.hypot(*length)
     low = np.minimum(wall.min(axis=0), wall[-1] + max(offsets) * across) - 0.4
     high = wall.max(axis=0) + 0.4
-    said = []
+    said, alphas = [], list[float]()
     for axes, offset in zip(panels, offsets, strict=True):
         points = wall.copy()
         points[-1] += offset * across
@@ -122,13 +132,27 @@ def one_outlier(
         if line is not None:
             draw_line(axes, *line, color=GREEN, linewidth=2)
             said.append(f"{offset:.0f} m: {np.degrees(line[1]):.1f}°")
+            alphas.append(line[1])
             axes.set_title(f"one point {offset:.0f} m off\nα = {np.degrees(line[1]):.1f}°")
         axes.plot(*points[-1], "X", color=VERMILLION, markersize=10)
     for axes in panels[1:]:
         axes.set_ylabel("")
     if not said:
         fig.suptitle(not_written(fit_line).replace("\n", " "), color=VERMILLION, fontsize=10)
-    show(fig, f"One outlier turns the fitted line. Its α for each offset: {', '.join(said)}.")
+        show(fig, f"A wall with one outlier. {not_written(fit_line)}")
+        return
+    turned = np.array([(alpha - alphas[0] + np.pi) % (2 * np.pi) - np.pi for alpha in alphas[1:]])
+    true = f"It turns by {np.degrees(np.abs(turned[0])):.1f}°."
+    guess = predicted_beside(fig, predicted, "°", true)
+    if predicted is not None:
+        alpha = alphas[0] + np.copysign(np.radians(predicted), turned[0])
+        r = float(wall.mean(axis=0) @ [np.cos(alpha), np.sin(alpha)])
+        draw_line(panels[1], r, alpha, color=PREDICTED, ls="--", label="predicted")
+        panels[1].legend(loc="lower left", fontsize=8, frameon=False)
+    show(
+        fig,
+        f"One outlier turns the fitted line. Its α for each offset: {', '.join(said)}. {guess}",
+    )
 
 
 def scattered_fits(

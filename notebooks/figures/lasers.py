@@ -5,7 +5,17 @@ from typing import Any
 
 import numpy as np
 
-from notebooks.figures.style import BLUE, GREY, ORANGE, attempt, figure, note, quiet, show
+from notebooks.figures.style import (
+    BLUE,
+    GREY,
+    ORANGE,
+    attempt,
+    figure,
+    note,
+    predicted_beside,
+    quiet,
+    show,
+)
 
 RUNS = 1000
 NOT_YET = "A function that this picture needs is not written yet."
@@ -18,6 +28,7 @@ def laser_errors(
     sigma: float,
     step: float,
     rng: np.random.Generator,
+    predicted: str | None = None,
 ) -> None:
     """Draw how far fits to (N, 2) points spread under three kinds of error, and what is predicted.
 
@@ -37,7 +48,7 @@ def laser_errors(
     exact = wall - np.outer(wall @ normal - r, normal)
     ranges = np.hypot(*exact.T)
     beams = exact / ranges[:, np.newaxis]
-    spread = {"predicted": np.sqrt(np.diag(np.asarray(covariance, dtype=float)))}
+    spread = {"your formula": np.sqrt(np.diag(np.asarray(covariance, dtype=float)))}
     for name in ("all directions", "along the beam", f"and {100 * step:.0f} cm steps"):
         fits = []
         for _ in range(RUNS):
@@ -68,4 +79,5 @@ def laser_errors(
         f"{name}: r {1000 * both[0]:.2g} mm, α {np.degrees(both[1]):.2g}°"
         for name, both in spread.items()
     )
-    return show(fig, f"The errors of {RUNS} fitted lines. {said}.")
+    guess = predicted_beside(fig, predicted)
+    return show(fig, f"The errors of {RUNS} fitted lines. {said}. {guess}")

@@ -14,11 +14,13 @@ from notebooks.figures.style import (
     GREY,
     LIGHT,
     ORANGE,
+    PREDICTED,
     VERMILLION,
     attempt,
     figure,
     note,
     photograph,
+    predicted_beside,
     quiet,
     show,
 )
@@ -167,7 +169,12 @@ def agreement(
     )
 
 
-def first_places(searches: dict[str, Callable[..., Any]], images: Images, pairs: Pairs) -> None:
+def first_places(
+    searches: dict[str, Callable[..., Any]],
+    images: Images,
+    pairs: Pairs,
+    predicted: float | None = None,
+) -> None:
     """Let every photograph search among all others, and draw how often each search is right.
 
     `search(name, names)` returns one number for each of the names; the entry of the photograph
@@ -193,13 +200,16 @@ def first_places(searches: dict[str, Callable[..., Any]], images: Images, pairs:
             said.append(f"{label}: {right} of {len(asked)}")
     if not said:
         note(axes, NOT_YET)
+    if predicted is not None:
+        axes.axvline(predicted, color=PREDICTED, ls="--", lw=2)
+    guess = predicted_beside(fig, predicted, f" of {len(asked)}")
     axes.set_yticks(range(len(searches)), list(searches))
     axes.invert_yaxis()
     axes.set_xlim(0, len(asked) * 1.12)
     axes.set_xticks(range(0, len(asked) + 1, 5))
     axes.set_xlabel("photographs whose first place is right")
     quiet(axes)
-    show(fig, f"How often the first place is right. {'; '.join(said) or NOT_YET}")
+    show(fig, f"How often the first place is right. {'; '.join(said) or NOT_YET} {guess}")
 
 
 class _Decisions(NamedTuple):
@@ -221,6 +231,7 @@ def precision_recall(
     queries: tuple[str, ...],
     pairs: Pairs,
     wrong_costs: float,
+    predicted: str | None = None,
 ) -> None:
     """Draw precision and recall over the threshold of each score, on the walk and on the queries.
 
@@ -247,11 +258,15 @@ def precision_recall(
         ):
             _draw_decisions(axes, decisions, steps, threshold)
             right, wrong, missed = decisions.at(threshold)
-            axes.set_title(f"{where}: {right} right, {wrong} wrong, {missed} missed", fontsize=10)
+            counts = f"{right} right, {wrong} wrong, {missed} missed"
+            axes.set_title(f"{where}, threshold {threshold:.3g}: {counts}", fontsize=9)
             axes.set_xlabel(f"threshold: {label}")
             said.append(f"{label}, {where}: {right} right, {wrong} wrong, {missed} missed loops")
-        row[0].legend(fontsize=8, loc="center right")
-    show(fig, f"Precision and recall over the threshold. {'; '.join(said) or NOT_YET}")
+    if said:
+        lines = next(axes for axes in panels[:, 0] if axes.lines).get_legend_handles_labels()
+        fig.legend(*lines, fontsize=9, frameon=False, loc="outside upper center", ncols=3)
+    guess = predicted_beside(fig, predicted)
+    show(fig, f"Precision and recall over the threshold. {'; '.join(said) or NOT_YET} {guess}")
 
 
 def _decisions(
@@ -276,7 +291,7 @@ def _draw_decisions(axes: Axes, decisions: _Decisions, steps: np.ndarray, thresh
     precision = right[closed] / (right + wrong)[closed]
     axes.plot(steps[closed], precision, color=BLUE, lw=2, label="precision")
     axes.plot(steps, right / (right + missed), color=ORANGE, lw=2, ls="--", label="recall")
-    axes.axvline(threshold, color=VERMILLION, ls=":", lw=2, label=f"threshold {threshold:.3g}")
+    axes.axvline(threshold, color=VERMILLION, ls=":", lw=2, label="threshold chosen on the walk")
     if steps.max() > 10:
         axes.set_xscale("symlog", linthresh=10)
         axes.xaxis.set_major_formatter(ScalarFormatter())

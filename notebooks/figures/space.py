@@ -6,8 +6,19 @@ from typing import Any
 import numpy as np
 from matplotlib.figure import Figure
 
-from notebooks.figures.style import GREY, PALETTE, attempt, figure, not_written, show
+from notebooks.figures.style import (
+    GREY,
+    PALETTE,
+    attempt,
+    figure,
+    not_written,
+    predicted_beside,
+    show,
+)
 
+TRIES = 20  # runs with the predicted number of iterations
+MOST_TRIED = 1000  # iterations
+ENOUGH = 0.9  # a run has found the plane if it keeps this share of its points
 MARKERS = ["o", "^", "s", "D"]
 VIEWS = (("from the right", -60.0, 18.0), ("from above", -90.0, 89.0))  # azimuth, elevation [°]
 
@@ -52,9 +63,13 @@ def largest_planes(
     ransac_plane: Callable[..., Any],
     threshold: float,
     iterations: int,
+    predicted: int | None = None,
     count: int = 3,
 ) -> None:
-    """Draw the largest planes that the student's ransac_plane finds, one after the other."""
+    """Draw the largest planes that the student's ransac_plane finds, one after the other.
+
+    `predicted` is a number of iterations; it is tried in some runs of its own.
+    """
     fig = figure(8, 4.6)
     rng = np.random.default_rng(0)
     plane_of = np.full(len(points), -1)
@@ -81,6 +96,28 @@ def largest_planes(
                 axlim_clip=True,
                 label=f"{label}: {len(x)} points",
             )
+    true = ""
+    if predicted is not None and sizes:
+        true = _tried(points, ransac_plane, threshold, predicted, sizes[0])
+    guess = "" if not sizes else predicted_beside(fig, predicted, " iterations", true)
     handles, labels = axes.get_legend_handles_labels()
     fig.legend(handles, labels, loc="outside lower center", ncols=4, markerscale=4, frameon=False)
-    show(fig, f"A cloud of {len(points)} points; points on its largest planes: {sizes}.")
+    show(fig, f"A cloud of {len(points)} points; points on its largest planes: {sizes}. {guess}")
+
+
+def _tried(
+    points: np.ndarray,
+    ransac_plane: Callable[..., Any],
+    threshold: float,
+    iterations: int,
+    largest: int,
+) -> str:
+    """Say in how many runs of so many iterations the largest plane is found."""
+    if iterations > MOST_TRIED:
+        return "That is more than anybody wants to wait for here."
+    found = sum(
+        len(ransac_plane(points, threshold, iterations, np.random.default_rng(seed))[1])
+        >= ENOUGH * largest
+        for seed in range(TRIES)
+    )
+    return f"In {found} of {TRIES} runs they find the largest plane."

@@ -4,7 +4,9 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
+from matplotlib.ticker import MaxNLocator
 
+from notebooks.explorers.still import samples_asked_for
 from notebooks.figures.style import (
     BLUE,
     GREY,
@@ -14,6 +16,7 @@ from notebooks.figures.style import (
     figure,
     not_written,
     note,
+    predicted_beside,
     quiet,
     show,
 )
@@ -29,6 +32,7 @@ def stopping(
     threshold: float,
     p: float,
     rng: np.random.Generator,
+    predicted: str | None = None,
 ) -> None:
     """Draw after how many samples runs of RANSAC on (N, 2) points stop by themselves."""
     fig = figure(8, 3)
@@ -46,13 +50,23 @@ def stopping(
         bool(one[:stop].max(initial=0) >= ENOUGH * most)
         for one, stop in zip(agreeing, stops, strict=True)
     )
-    axes.hist(stops, bins=40, color=BLUE)
+    width = max(1, -(-(max(stops) - min(stops) + 1) // 40))
+    edges = np.arange(min(stops), max(stops) + width + 1, width) - 0.5
+    axes.hist(stops, bins=edges.tolist(), color=BLUE)
+    axes.xaxis.set_major_locator(MaxNLocator(integer=True))
     mean = float(np.mean(stops))
     axes.axvline(mean, color=VERMILLION, ls="--", label=f"mean {mean:.0f}")
-    axes.legend(frameon=False)
     text = f"{found} of {RUNS} runs have found the largest wall, {most} of {len(points)} points"
     axes.set_title(text, fontsize=10)
-    return show(fig, f"Runs stop after {min(stops)} to {max(stops)} samples. {text}.")
+    known = samples_asked_for(most / len(points), 1 - p)
+    axes.axvline(known, color=GREY, ls=":", label=f"with the wall's share known: {known}")
+    axes.legend(frameon=False)
+    guess = predicted_beside(fig, predicted)
+    return show(
+        fig,
+        f"Runs stop after {min(stops)} to {max(stops)} samples, {mean:.0f} in the mean; with the "
+        f"wall's share known {known} would do. {text}. {guess}",
+    )
 
 
 def _agreeing(points: np.ndarray, threshold: float, rng: np.random.Generator) -> np.ndarray:

@@ -22,10 +22,12 @@ SKY = "#56B4E9"
 PURPLE = "#CC79A7"
 GREY = "#707070"
 LIGHT = "#D8D8D8"
+PREDICTED = "#8A3C6B"
 PALETTE = [BLUE, ORANGE, GREEN, VERMILLION, PURPLE, SKY, "#000000", "#B8A000"]
 
 PIXELS_PER_INCH = 144  # stored; shown at half of the usual width, so that it is sharp
 SHOWN_PER_INCH = 96
+READABLE = 560  # pixels on the screen, of a picture as wide as the notebook
 
 
 def figure(width: float = 8.0, height: float = 4.0) -> Figure:
@@ -49,7 +51,11 @@ def show(fig: Figure, alt: str) -> None:
         return
     text = html.escape(alt, quote=True)
     source = f"data:image/png;base64,{picture}"
-    image = f'<img alt="{text}" width="{width}" style="max-width: 100%" src="{source}">'
+    # On a narrow screen the picture is scrolled sideways before its words become too small to read.
+    least = min(width, READABLE)
+    style = f"max-width: 100%; min-width: {least}px"
+    image = f'<img alt="{text}" width="{width}" style="{style}" src="{source}">'
+    image = f'<div style="overflow-x: auto">{image}</div>'
     display({"text/html": image, "text/plain": alt}, raw=True)
 
 
@@ -90,6 +96,23 @@ def note(axes: Axes, text: str) -> None:
         bbox={"boxstyle": "round", "facecolor": "#FFF6D6", "edgecolor": ORANGE},
         zorder=10,
     )
+
+
+def predicted_beside(fig: Figure, predicted: Any, unit: str = "", truth: str = "") -> str:
+    """Write what was predicted above the picture, and what is true if that can be said so briefly.
+
+    Returns the words, for the text of the picture.
+    """
+    if predicted is None:
+        said = "Not predicted."
+    else:
+        value = predicted if isinstance(predicted, str) else f"{predicted:,.6g}"
+        said = f"You predicted: {value}{unit}."
+    said = f"{said} {truth}".strip()
+    fig.suptitle(
+        said, x=0.01, ha="left", fontsize=10, color=GREY if predicted is None else PREDICTED
+    )
+    return said
 
 
 def attempt(function: Callable[..., Any], *args: Any) -> Any:

@@ -108,9 +108,7 @@ def _draw_votes(axes: Axes, journey: Journey, level: Level, votes: np.ndarray, n
     axes.bar(np.arange(len(votes)), votes, color=[BLUE if one else GREY for one in best])
     axes.plot(row, votes[row], "o", color=VERMILLION, mec="white", markersize=8)
     axes.set_xticks(range(len(votes)), journey.places, fontsize=7)
-    title = (
-        f"votes of all keypoints; ●: the {len(row)} places in the row of word {level.words[number]}"
-    )
+    title = f"all votes; dots: the {len(row)} places in the row of word {level.words[number]}"
     axes.set_title(title, fontsize=10)
     return None
 

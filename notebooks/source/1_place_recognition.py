@@ -69,14 +69,19 @@ figures.keypoints(walk["0503"], keypoints)
 # - *FAST* only compares a few pixels to find a corner; *BRIEF* describes it by a string of bits, each of which
 #   compares two pixels. *ORB* combines the two.
 #
-# **Predict**: which kind is faster, and which finds more right matches between two photographs of the same
-# place? Here are SIFT and ORB on *all* pairs of our photographs that are known to show the same place, with a thousand
-# features each. Matches count if they agree with one position for each camera, which is explained at the end of this chapter.
+# Which of them is the better choice? Predict before you see it. (A prediction is kept, and has no points: it is there for you, to
+# compare with what comes true.)
+
+# %% demo=true
+predict("P1.1")
+
+# %% [markdown]
+# Matches count here if they agree with one position for each camera, which is explained at the end of this chapter.
 # A few agree by chance, even between different places: that is the grey band. A pair within the band tells nothing.
 
 # %% demo=true
 photographs = {**walk, **queries}
-figures.compare_features(photographs, data.same_place_pairs())
+figures.compare_features(photographs, data.same_place_pairs(), predicted("P1.1"))
 
 # %% [markdown]
 # The bits of ORB are quick to compute and to compare: the distance of two descriptors is the number of bits in which they
@@ -383,12 +388,17 @@ def agreeing_with(name, places=tuple(walk)):
 # **Precision** is the share of right ones among the loops that are closed, **recall** the share of loops that are closed among those that could be. A
 # low threshold closes many, some of them wrong; a high one misses many. What does that cost? A missed loop is a chance lost, and the next one may come soon. A
 # wrong loop bends the map, and everything that is added afterwards. Say that one wrong loop is as bad as twenty missed
-# ones. The threshold of least cost on the walk is marked on the left. On the right it is tried on the five queries. **Predict**: which of the two scores closes more
-# loops, the bags or the geometry?
+# ones.
+
+# %% demo=true
+predict("P1.2")
+
+# %% [markdown]
+# The threshold of least cost on the walk is marked on the left. On the right it is tried on the five queries.
 
 # %% demo=true
 scores = {"likeness of the bags": likeness_to, "agreeing matches": agreeing_with}
-figures.precision_recall(scores, tuple(walk), tuple(queries), same, wrong_costs=20)
+figures.precision_recall(scores, tuple(walk), tuple(queries), same, 20, predicted("P1.2"))
 
 # %% [markdown]
 # For the bags alone the cheapest is to close no loop at all: no likeness is high enough to be believed. Change the 20 to 1, for a robot that can
@@ -426,8 +436,10 @@ def likeness_by_nodes(name, places=tuple(walk)):
 
 # %% [markdown]
 # Last, the search with verification: a place that is verified goes to the front. Five queries are too few to say which method is
-# better. So let *each* of the 25 photographs search among all others, the walk and the queries together, and count how
-# often its first place is right:
+# better. So let *each* of the 25 photographs search among all others, the walk and the queries together.
+
+# %% demo=true
+predict("P1.3")
 
 
 # %% demo=true
@@ -444,7 +456,7 @@ searches = {
     "all nodes": likeness_by_nodes,
     "verified": verified_likeness_to,
 }
-figures.first_places(searches, photographs, same)
+figures.first_places(searches, photographs, same, predicted("P1.3"))
 
 # %%
 progress()

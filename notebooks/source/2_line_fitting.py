@@ -40,13 +40,16 @@ figures.scan(points, wall)
 #
 # At school a line is $y = mx + b$, and NumPy finds $m$ and $b$ by `polyfit`. It measures the errors of the points along $y$.
 # With the axes exchanged it measures them along $x$ and finds $x = m'y + b'$, which is a line with the slope $1/m'$.
-# **Before you run the cell**: should the two slopes be the same?
+
+# %% demo=true
+predict("P2.1")
 
 # %% demo=true
 x, y = wall.T
 m, b = np.polyfit(x, y, 1)
 m_exchanged, b_exchanged = np.polyfit(y, x, 1)
 print(f"errors along y: m = {m:.1f}; errors along x: m = {1 / m_exchanged:.1f}")
+print("Your prediction:", predicted("P2.1") or "none")
 
 # %% [markdown]
 # One wall, and two different slopes. For an upright wall a tiny error in $x$ is a huge one in $y$, and if the
@@ -216,12 +219,15 @@ figures.cost_over_angle({"a flat wall": flat, "a steep wall": steep}, alpha_min)
 # lines through one of the points. Where the curves nearly meet, the points nearly agree. On the right is what you have just seen,
 # the cost over the angle.
 #
-# **Predict, then turn the cloud**: at which moment does the plain $\arctan$ jump from one stationary angle to the other? Then drag
+# First turn the cloud, slowly, and watch the sentence above the pictures. Then drag
 # the outlier (the square). The solid line is least squares; the dashed one is where most points agree, which is what
 # chapter 3 is about.
 
 # %% demo=true
-explore_cloud(five, outlier=(4, 3.5))
+predict("P2.2")
+
+# %% demo=true
+explore_cloud(five, outlier=(4, 3.5), predicted=predicted("P2.2"))
 
 # %% [markdown]
 # What if the cost has neither valley nor hill? That happens when $S_{xx} = S_{yy}$ and $S_{xy} = 0$, for
@@ -267,11 +273,13 @@ figures.fitted_line(wall, fit_line)
 # %% [markdown]
 # At each position along the wall, the line lies in the band with a probability of 95 %. (The whole line stays inside
 # less often: a line that is right in the middle may leave the band at an end.) Mind the axes: across the wall the
-# scale is in centimetres, along it in metres. **Predict**: where is the band narrowest, and what happens to
-# it beyond the last point?
+# scale is in centimetres, along it in metres.
 
 # %% demo=true
-figures.uncertain_line(wall, fit_line, line_covariance, sigma=0.02)
+predict("P2.3")
+
+# %% demo=true
+figures.uncertain_line(wall, fit_line, line_covariance, 0.02, predicted("P2.3"))
 
 # %% [markdown]
 # Look at the points again. They do not scatter quite at random: where the wall is closest, some neighbours in a row
@@ -286,13 +294,17 @@ figures.scattered_fits(wall, fit_line, line_covariance, sigma=0.02, rng=np.rando
 
 # %% [markdown]
 # That agreed because we made the errors as the formula wants them: equal in all directions, and from a bell curve. A laser errs *along its
-# beam*, and this one reports steps of 5 cm. **Predict** which of the two matters more. The same wall once more, with three kinds of error
-# of the same size:
+# beam*, and this one reports steps of 5 cm.
 
 # %% demo=true
-figures.laser_errors(
-    wall, fit_line, line_covariance, sigma=0.02, step=0.05, rng=np.random.default_rng(1)
-)
+predict("P2.4")
+
+# %% [markdown]
+# The same wall once more, with three kinds of error of the same size:
+
+# %% demo=true
+rng = np.random.default_rng(1)
+figures.laser_errors(wall, fit_line, line_covariance, 0.02, 0.05, rng, predicted("P2.4"))
 
 # %% [markdown]
 # For this wall the direction hardly matters: most beams meet it nearly head-on. (At a slant, only a part of the error lies across the wall, and
@@ -302,11 +314,13 @@ figures.laser_errors(
 # ## One bad point
 #
 # So the line is known to a fraction of a degree, if all points belong to the wall. Now somebody steps in front of it, and
-# *one* of the 54 points is wrong. **Predict** how far the line turns when that point is one metre off, and
-# when it is three metres off:
+# *one* of the 54 points is wrong, the last one.
 
 # %% demo=true
-figures.one_outlier(wall, fit_line)
+predict("P2.5")
+
+# %% demo=true
+figures.one_outlier(wall, fit_line, predicted("P2.5"))
 
 # %% [markdown]
 # Compare with the standard deviation of $\alpha$ above: one point turns the line by many times that. The covariance

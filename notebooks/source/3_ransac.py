@@ -99,46 +99,49 @@ figures.guesses(few, threshold=0.3, rng=np.random.default_rng(5))
 # %% [markdown]
 # ## How long does it take?
 #
-# Guessing sounds hopeless. It is not, and you can compute why. The numbers for all the questions:
+# Guessing sounds hopeless. It is not, and you can compute why. The numbers for all the questions: how many
+# points $N$ the cloud has, which share $w$ of them are inliers, and the probability $p$ of success that we want.
 
 # %%
-N = 1000  # points in the cloud
-w = 0.2  # the share of inliers among them
-p = 0.95  # the probability of success that we want
+N, w, p = numbers("cloud")
+print(f"{N} points, a share w = {w} of them inliers; wanted is success with p = {p}")
 
 # %% [markdown]
-# (The exercise sheet calls $w$ the *inlier count* and $p$ the *probability of all inliers*. It computes with $w = 0.2$, a
+# (The exercise sheet calls $w$ the *inlier count* and $p$ the *probability of all inliers*. It computes with $w$ as a
 # share, and with $p$ as the probability that at least one sample holds inliers only, as we do.)
 #
 # When a point is drawn, it is an inlier with probability $w$. Strictly speaking, that changes a little once
-# a point has been taken out: of the 999 that remain, 199 are inliers. The cloud is large, so we neglect that.
+# a point has been taken out: of the $N - 1$ that remain, $wN - 1$ are inliers. The cloud is large, so we neglect that.
 #
-# **Make a guess before you compute**: with four outliers for every inlier, how many samples must be drawn to
-# be 95 % sure that one of them holds inliers only? A dozen? A hundred? Ten thousand? Change the number; the
-# simulation draws samples in 10,000 runs and counts how many each run needed.
+# Make a guess before you compute:
 
 # %% demo=true
-my_guess = 12
-figures.waiting_times(N, w, 2, my_guess, np.random.default_rng(0))
+predict("P3.1")
 
 # %% [markdown]
-# You could go on trying until the blue part is 95 %. It is faster to compute it. A coin as an example: it falls on heads with
+# The simulation draws samples in 10,000 runs and counts how many each run needed.
+
+# %% demo=true
+figures.waiting_times(N, w, 2, predicted("P3.1"), np.random.default_rng(0), p=p)
+
+# %% [markdown]
+# You could put other numbers in place of `predicted("P3.1")` until the share of the blue part is $p$. It is faster to compute it. A coin as an example: it falls on heads with
 # probability 0.5, so $k$ tosses are all tails with probability $0.5^k$. To see heads at least once with probability
 # 0.99 we need $0.5^k \le 0.01$, so $k \ge \log 0.01 / \log 0.5 = 6.64$: seven tosses.
 
 # %% exercise="Q3.2.1"
 
 # %% [markdown]
-# The simulation with your number. It should come out close to 95 %:
+# The simulation with your number. It should come out close to $p$:
 
 # %% demo=true
-figures.waiting_times(N, w, 2, iterations, np.random.default_rng(0))
+figures.waiting_times(N, w, 2, iterations, np.random.default_rng(0), p=p)
 
 # %% exercise="Q3.2.2"
 
 # %% [markdown]
 # Compare your last two results: so few tries, among so many candidates. And the number of iterations does not
-# depend on $N$ at all. A cloud of a million points needs just as many, as long as a fifth of them are inliers.
+# depend on $N$ at all. A cloud of a million points needs just as many, as long as the share of inliers is the same.
 #
 # Now a general formula. For the next question `w` becomes a symbol, and then a number again.
 
@@ -152,7 +155,7 @@ w = sp.Symbol("w", positive=True)
 # number `w`.
 
 # %%
-w = 0.2
+w = numbers("cloud").w
 
 # %% exercise="Q3.2.3b"
 
@@ -178,7 +181,7 @@ figures.runs_that_failed(N, w, 100, success_after_100, np.random.default_rng(0))
 
 # %% [markdown]
 # A real program draws three *different* points, so the
-# probability of a clean sample is $\frac{200}{1000} \cdot \frac{199}{999} \cdot \frac{198}{998}$, slightly less than
+# probability of a clean sample is $\frac{wN}{N} \cdot \frac{wN-1}{N-1} \cdot \frac{wN-2}{N-2}$, slightly less than
 # $w^3$. The question told you to neglect that, as the exercise sheet does. For lines it makes no difference in the end,
 # for planes it costs a few iterations. Both numbers are accepted.
 #
@@ -206,8 +209,8 @@ explore_ransac()
 # the right is the number of samples that the formula asks for *with the best share of inliers so far*. Nobody knows $w$
 # before the first sample, but every better line is a better guess of it. When could a program stop by itself?
 #
-# Then add outliers until a fifth of the points are the wall's, and look at a hundred runs at once. Is your number of
-# iterations enough in 95 of them?
+# Then add outliers until the share of the points on the wall is your $w$, and look at a hundred runs at once. Is your number of
+# iterations enough in $100\,p$ of them?
 
 # %% demo=true
 explore_ransac_steps(points, iterations)
@@ -220,10 +223,13 @@ explore_ransac_steps(points, iterations)
 #
 # In the next simulation every run draws as many samples as you computed for a line, 200 points of a wall of one metre
 # are inliers, and each is 5 mm off or so. The threshold is 2.5 times that. How many of the true inliers does the best line
-# of each run keep? **Predict** the share of runs in which it keeps at least 90 %.
+# of each run keep?
 
 # %% demo=true
-figures.noisy_inliers(N, w, iterations, np.random.default_rng(0))
+predict("P3.2")
+
+# %% demo=true
+figures.noisy_inliers(N, w, iterations, np.random.default_rng(0), predicted("P3.2"))
 
 # %% [markdown]
 # On the left are the lines through two points, on the right the same after the last step of RANSAC: a fit by least squares to
@@ -256,12 +262,12 @@ figures.found_line(points, ransac_line, threshold=0.06, iterations=100)
 
 # %% exercise="Q3.7a"
 
-# %% [markdown]
-# Three hundred runs on the scan, each ended by your function. **Predict**: do they need more samples than the number that you would compute if you knew
-# the share of the largest wall, or fewer?
+# %% demo=true
+predict("P3.3")
 
 # %% demo=true
-figures.stopping(points, adaptive_stop, 0.06, p, np.random.default_rng(0))
+rng = np.random.default_rng(0)
+figures.stopping(points, adaptive_stop, 0.06, p, rng, predicted("P3.3"))
 
 # %% [markdown]
 # The threshold need not be tried out either, if the noise is known. When points are off by $\sigma$, the squared distance of an inlier from its line,
@@ -329,11 +335,13 @@ def plane_distances(points, plane):
 
 # %% [markdown]
 # The three largest planes of the cloud, by your function, one after the other: the points of each are taken away before it
-# looks for the next. **Before you run it**: if the largest plane holds two fifths of the points, how many iterations would
-# be enough for it?
+# looks for the next.
 
 # %% demo=true
-figures.largest_planes(bricks.points, ransac_plane, threshold=0.02, iterations=300)
+predict("P3.4")
+
+# %% demo=true
+figures.largest_planes(bricks.points, ransac_plane, 0.02, 300, predicted("P3.4"))
 
 # %% [markdown]
 # ## All the walls of a scan

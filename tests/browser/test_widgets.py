@@ -18,7 +18,7 @@ from playwright.sync_api import BrowserContext, Page, TimeoutError, expect
 
 NAME = "9_place_recognition_and_ransac.ipynb"
 CELLS = [
-    "from autograder import ask, check, progress, submit\n"
+    "from autograder import ask, check, predict, progress, submit\n"
     "from notebooks.explorers import explore_polar_line, explore_ransac",
     'ask("Q1.1")',
     'ask("Q1.2")',
@@ -30,6 +30,8 @@ CELLS = [
     "explore_ransac()",
     "explore_polar_line([(1, 0), (1, 1), (1.1, 2)])",
     "submit()",
+    'predict("P1.1")',
+    'predict("P3.1")',
 ]
 
 
@@ -407,6 +409,36 @@ def test_as_long_as_an_answer_is_not_written_it_is_not_called_kept(sheet: Notebo
         assert response(sheet, "Q1.1") is None
     expect(status).to_have_text("Kept.")
     assert response(sheet, "Q1.1") == [True, None, None, None]
+
+
+# Predicting
+
+
+def test_one_click_predicts_and_takes_the_choices_away(sheet: Notebook):
+    choices = sheet.question("P1.1")
+    choices.get_by_role("button", name="ORB is quicker, SIFT finds more").click()
+    expect(choices.locator(".ag-predicted")).to_contain_text("ORB is quicker, SIFT finds more")
+    expect(choices.get_by_role("button")).to_have_count(0)
+    assert response(sheet, "P1.1") == "ORB is quicker, SIFT finds more"
+
+
+def test_a_number_is_predicted_by_keyboard_alone(sheet: Notebook):
+    guess = sheet.question("P3.1")
+    field = guess.get_by_role("textbox", name="Your prediction:")
+    field.focus()
+    sheet.page.keyboard.type("a dozen")
+    sheet.page.keyboard.press("Enter")
+    expect(guess.locator(".ag-status")).to_have_class(re.compile("ag-lost"))
+    expect(field).to_have_attribute("aria-invalid", "true")
+    assert response(sheet, "P3.1") is None
+    field.fill("12")
+    sheet.page.keyboard.press("Tab")
+    expect(guess.get_by_role("button", name="Predict")).to_be_focused()
+    sheet.page.keyboard.press("Enter")
+    kept = guess.locator(".ag-predicted")
+    expect(kept).to_contain_text("You predicted: 12 samples.")
+    expect(kept).to_be_focused()  # the field is gone
+    assert response(sheet, "P3.1") == 12
 
 
 # For everybody

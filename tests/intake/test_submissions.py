@@ -17,6 +17,7 @@ from hypothesis import strategies as st
 from autograder.course import Settings
 from autograder.errors import UsageError
 from autograder.exchange.responses import RECEIPT
+from autograder.intake.handout import Handout
 from autograder.intake.notebook_reader import Notebook, Unreadable, read_notebook
 from autograder.intake.submissions import Contents, Submission, find_submissions, read_submission
 
@@ -272,6 +273,26 @@ def test_of_two_notebooks_for_one_chapter_the_original_is_marked_and_the_other_n
     assert contents.notes == [
         "There are two notebooks for one chapter: 3_ransac.ipynb was marked, "
         "3_ransac (1).ipynb was not."
+    ]
+
+
+def test_a_backup_of_an_earlier_handout_is_not_taken_for_the_work(tmp_path):
+    handout = Handout(
+        {"ransac": ("Q3.1",)},
+        {"ransac": ("k = ...", 'def fit():\n    """New words."""\n    raise NotImplementedError')},
+    )
+    stub = 'def fit():\n    """Old words."""\n    raise NotImplementedError'
+    entries = {
+        "backup/3_ransac.ipynb": notebook("k = ...", stub, "old_figure()"),
+        "final/3_ransac.ipynb": notebook("k = 74", stub[:-25] + "    return 1", "old_figure()"),
+    }
+    path = tmp_path / "ada.zip"
+    path.write_bytes(zipped(entries))
+    contents = read_submission(Submission("ada", path), LIMITS, handout)
+    assert contents.notebooks["ransac"].cells[0] == "k = 74"
+    assert contents.notes == [
+        "There are two notebooks for one chapter: final/3_ransac.ipynb was marked, "
+        "backup/3_ransac.ipynb was not (it is as handed out)."
     ]
 
 

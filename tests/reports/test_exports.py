@@ -24,7 +24,7 @@ from autograder.intake.person import Person
 from autograder.release.gradescope.package import write_autograder_zip
 from autograder.release.gradescope.results import failure, results
 from autograder.release.gradescope.run import main as grade_in_gradescope
-from autograder.reports.exports import write_canvas, write_moodle, write_plain
+from autograder.reports.exports import alike_for_canvas, write_canvas, write_moodle, write_plain
 from tests.classroom import RIGHT, START, all_marks, graded, hostile_mark, make_course, notebook
 
 FORMULA = '=HYPERLINK("http://example.org")'
@@ -260,3 +260,21 @@ def test_results_are_written_even_if_grading_breaks(tmp_path: Path, capsys):
     assert_gradescope_accepts(document)
     assert "not your fault" in document["output"]
     assert "Traceback" in capsys.readouterr().out
+
+
+def test_canvas_gets_nobody_of_whom_it_knows_a_name_that_another_has_too(
+    tmp_path: Path, course: Course, records: list[Record]
+):
+    listed = ClassList(
+        (
+            Person("Ada Lovelace", email="ada@example.org"),
+            Person("Ada Lovelace", email="other@example.org"),
+            Person("George Boole", email="boole@example.org"),
+        )
+    )
+    write_canvas(tmp_path / "canvas.csv", course, listed, records)
+    assert [row[0] for row in rows(tmp_path / "canvas.csv")[2:]] == ["George Boole"]
+    assert [person.email for person in alike_for_canvas(listed)] == [
+        "ada@example.org",
+        "other@example.org",
+    ]

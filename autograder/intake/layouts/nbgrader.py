@@ -14,7 +14,7 @@ from autograder.intake.archive import shown
 from autograder.intake.layouts.layout import Context, Entry, Found, fit_most, side_entry, visible
 from autograder.intake.notebook_reader import Unreadable
 from autograder.intake.origin import LAYOUT, Claim, Origin
-from autograder.intake.place import Place, is_notebook_name
+from autograder.intake.place import Place, is_notebook_name, is_system
 
 TIMESTAMP = "timestamp.txt"
 SUBMITTED = "submitted"
@@ -46,7 +46,7 @@ class NbGrader:
         found = Found(self.name, self.rule)
         students = []
         for place in folder.children():
-            if place.is_folder and not place.name.startswith("."):
+            if place.is_folder and not place.name.startswith(".") and not is_system(place.name):
                 students.append((place, _assignments(place)))
             else:
                 side_entry(place, found, not place.is_folder)

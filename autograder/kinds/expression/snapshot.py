@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
+from autograder.exchange.messages import Message
 from autograder.kinds.expression.answer import ExpressionAnswer
 from autograder.kinds.expression.marking import POINT_COUNT, Points, same_values
 from autograder.kinds.expression.question import Expression
@@ -16,7 +15,7 @@ from autograder.kinds.snapshot import LATER, wrong
 _POINTS = 6
 
 
-def take_snapshot(answer: ExpressionAnswer, points: Points) -> dict[str, Any]:
+def take_snapshot(answer: ExpressionAnswer, points: Points) -> Message:
     """Some of the points, and the values of what is right there."""
     # Some of both halves, so that what must not depend on a symbol is seen to depend on it.
     chosen = [*range(_POINTS), *range(POINT_COUNT, POINT_COUNT + _POINTS)]
@@ -38,7 +37,7 @@ def take_snapshot(answer: ExpressionAnswer, points: Points) -> dict[str, Any]:
     }
 
 
-def mark_snapshot(question: Expression, snapshot: dict[str, Any], values: Any) -> Mark:
+def mark_snapshot(question: Expression, snapshot: Message, values: object) -> Mark:
     """Right, or wrong with one point at which it differs."""
     if isinstance(values, np.ndarray) and values.ndim == 2 and len(values) > 0:
         marks = [mark_snapshot(question, snapshot, row) for row in values]

@@ -19,13 +19,13 @@ import time
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from types import FunctionType
-from typing import Any
 
 import numpy as np
 
 from autograder.kinds.function.marking import Compare, Outcome, agrees
 from autograder.kinds.function.slips import in_words, slips
 from autograder.kinds.function.trial import mutants_of, outcome_of
+from autograder.kinds.function.values import Value
 from autograder.marking.diagnosis.relations import Diagnosis
 from autograder.marking.mutants.clones import reachable
 from autograder.marking.mutants.mutant import Mutant, OutOfTime
@@ -36,14 +36,14 @@ _A_CASE = 0.25  # for a mutant and a case
 _REMARK = re.compile(r"#\s*names:\s*(.+?)\s*$")
 _LOST: Outcome = {"unusable": "not plain"}
 
-Call = Callable[..., Any]
+Call = Callable[..., object]
 
 
 class Hypotheses:
     """The changed references of one question and the hidden inputs of one seed."""
 
     def __init__(
-        self, reference: Call, cases: Sequence[dict[str, Any]], compare: Compare, root: Path
+        self, reference: Call, cases: Sequence[dict[str, Value]], compare: Compare, root: Path
     ) -> None:
         self._reference, self._cases, self._compare, self._root = reference, cases, compare, root
         self._made: list[tuple[Mutant, Call]] | None = None
@@ -54,14 +54,14 @@ class Hypotheses:
         self._lock = threading.Lock()
 
     def explain(
-        self, right: Sequence[Outcome], outcomes: Sequence[Any], verdicts: Sequence[bool]
+        self, right: Sequence[Outcome], outcomes: Sequence[Value], verdicts: Sequence[bool]
     ) -> Diagnosis | None:
         """The change with which the reference gives these outcomes, if there is one."""
         with self._lock:
             return self._explain(right, outcomes, verdicts)
 
     def _explain(
-        self, right: Sequence[Outcome], outcomes: Sequence[Any], verdicts: Sequence[bool]
+        self, right: Sequence[Outcome], outcomes: Sequence[Value], verdicts: Sequence[bool]
     ) -> Diagnosis | None:
         begin, before = time.thread_time(), self._spent
         made = self._changes()
@@ -94,7 +94,7 @@ class Hypotheses:
         index: int,
         case: int,
         right: Sequence[Outcome],
-        outcomes: Sequence[Any],
+        outcomes: Sequence[Value],
         verdicts: Sequence[bool],
     ) -> bool:
         """Whether a changed reference and a response do the same on a case."""
@@ -188,7 +188,7 @@ def _with_ticks(tree: ast.FunctionDef) -> ast.FunctionDef:
 
 
 def _called_otherwise(
-    reference: Call, cases: Sequence[dict[str, Any]]
+    reference: Call, cases: Sequence[dict[str, Value]]
 ) -> Iterator[tuple[Mutant, Call]]:
     """The reference with two of its arguments exchanged, or one of them turned."""
     first = cases[0]["args"]
@@ -213,7 +213,7 @@ def _called_otherwise(
 
 
 def _exchanging(reference: Call, one: int, other: int) -> Call:
-    def called(*args: Any, **kwargs: Any) -> Any:
+    def called(*args: Value, **kwargs: Value) -> Value:
         given = list(args)
         given[one], given[other] = given[other], given[one]
         return reference(*given, **kwargs)
@@ -221,8 +221,8 @@ def _exchanging(reference: Call, one: int, other: int) -> Call:
     return called
 
 
-def _changing(reference: Call, place: int, change: Callable[[Any], Any]) -> Call:
-    def called(*args: Any, **kwargs: Any) -> Any:
+def _changing(reference: Call, place: int, change: Callable[[Value], Value]) -> Call:
+    def called(*args: Value, **kwargs: Value) -> Value:
         return reference(*args[:place], change(args[place]), *args[place + 1 :], **kwargs)
 
     return called

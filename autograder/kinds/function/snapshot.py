@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from autograder.kinds.function.hints import hint
 from autograder.kinds.function.marking import agrees, close
 from autograder.kinds.function.question import Function
+from autograder.kinds.function.values import Value
 from autograder.kinds.mark import Mark, Part, stopped
 from autograder.kinds.snapshot import LATER
 
 
-def mark_snapshot(question: Function, snapshot: dict[str, Any], outcomes: list[Any]) -> Mark:
+def mark_snapshot(question: Function, snapshot: dict[str, Value], outcomes: list[Value]) -> Mark:
     """Right, or wrong with one case that fails; left open where the key would forgive more."""
     cases = snapshot["cases"]
     verdicts = [
@@ -45,7 +44,7 @@ def mark_snapshot(question: Function, snapshot: dict[str, Any], outcomes: list[A
     return Mark(question.id, "wrong", 0.0, question.points, feedback, parts=parts)
 
 
-def _is_wrong(case: dict[str, Any], outcome: Any) -> bool:
+def _is_wrong(case: dict[str, Value], outcome: object) -> bool:
     """Whether an outcome is nothing like the right one, or that of a known mistake."""
     if not (isinstance(outcome, dict) and "value" in outcome and "value" in case["expected"]):
         return True
@@ -54,7 +53,7 @@ def _is_wrong(case: dict[str, Any], outcome: Any) -> bool:
     )
 
 
-def _alike(expected: Any, actual: Any) -> bool:
+def _alike(expected: object, actual: object) -> bool:
     """Whether a value is of the expected one's make: numbers where numbers are, lists for lists."""
     try:
         right, given = np.asarray(expected), np.asarray(actual)

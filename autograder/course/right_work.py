@@ -12,7 +12,6 @@ import importlib
 import inspect
 import tomllib
 from pathlib import Path
-from typing import Any
 
 from autograder.course.course import Course
 from autograder.course.own_code import OWN, put_first
@@ -23,12 +22,12 @@ FOLDER = Path("solutions/variants")
 TYPED = "typed.toml"
 
 
-def has_variants(course: Course) -> bool:
+def has_right_work(course: Course) -> bool:
     """Whether the course has right work in other clothes at all."""
     return (course.root / FOLDER).is_dir()
 
 
-def variants_of(course: Course, question: Question) -> dict[str, Any]:
+def right_work_of(course: Course, question: Question) -> dict[str, object]:
     """The variants of a question by what they are called: functions, or texts as typed.
 
     Raises:
@@ -47,7 +46,7 @@ def module_of(course: Course, question: Question) -> str | None:
     return ".".join([*FOLDER.parts, question.name])
 
 
-def unexpected_variants(course: Course) -> list[str]:
+def unexpected_right_work(course: Course) -> list[str]:
     """The modules that are called after no question's function."""
     names = {question.name for question in course.questions.values()}
     return [
@@ -58,7 +57,7 @@ def unexpected_variants(course: Course) -> list[str]:
     ]
 
 
-def _functions(course: Course, name: str) -> dict[str, Any]:
+def _functions(course: Course, name: str) -> dict[str, object]:
     module = ".".join([*FOLDER.parts, name])
     put_first(course.root, set(OWN))
     try:

@@ -1,0 +1,109 @@
+"""What a class predicted, counted and drawn."""
+
+from __future__ import annotations
+
+import math
+from array import array
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from autograder.course.predictions import Prediction
+from autograder.gradebook.record import Record
+from autograder.reports.markdown import inline, text
+from autograder.reports.svg import BLUE, Chart
+
+_BINS = 8
+_WIDE = 1000  # a largest number so many times the smallest is drawn by its magnitude
+_MAGNITUDES = (1, 2, 5)
+
+
+@dataclass
+class Predicted:
+    """Everybody's prediction of one thing."""
+
+    asked: Prediction
+    choices: Counter[str] = field(default_factory=Counter)
+    numbers: array[float] = field(default_factory=lambda: array("d"))
+
+    @property
+    def count(self) -> int:
+        """How many predicted it."""
+        return self.choices.total() + len(self.numbers)
+
+    def add(self, record: Record) -> None:
+        """What one student predicted, if anything; a gradebook that was edited may hold more."""
+        value = record.graded.predictions.get(self.asked.id)
+        if not self.asked.fits(value):
+            return
+        if isinstance(value, str):
+            self.choices[value] += 1
+        elif value is not None:
+            self.numbers.append(float(value))
+
+    def rows(self) -> list[tuple[str, int]]:
+        """Each choice, or range of numbers, and how many predicted it."""
+        if self.asked.choices:
+            return [(choice, self.choices[choice]) for choice in self.asked.choices]
+        edges = _edges(self.numbers) if self.numbers else []
+        counts = [0] * (len(edges) - 1)
+        for number in self.numbers:
+            place = next(n for n, edge in enumerate(edges[1:], 1) if number < edge)
+            counts[place - 1] += 1
+        unit = f" {self.asked.unit}" if self.asked.unit else ""
+        return [
+            (self._range(low, high) + unit, count)
+            for low, high, count in zip(edges, edges[1:], counts, strict=False)
+        ]
+
+    def _range(self, low: float, high: float) -> str:
+        if not self.asked.integer:
+            return f"{low:g} to below {high:g}"
+        first, last = math.ceil(low), math.ceil(high) - 1
+        return f"{first:,}" if first == last else f"{first:,} to {last:,}"
+
+
+def predictions_html(found: Sequence[Predicted], students: int) -> str:
+    """A chart for each thing that anybody predicted; empty if nobody did."""
+    charts = [_chart(entry, students) for entry in found if entry.count]
+    return "\n".join(charts)
+
+
+def _chart(entry: Predicted, students: int) -> str:
+    rows = entry.rows()
+    row = 26
+    most = max(count for _, count in rows)
+    chart = Chart(560, row * len(rows) + 12, (0, most), (len(rows), 0), left=250, right=48, top=6)
+    chart.bottom = 6
+    for index, (name, count) in enumerate(rows):
+        chart.box(0, index + 0.15, count, index + 0.85, BLUE)
+        middle = chart.y(index + 0.5) + 4
+        chart.label(242, middle, name if len(name) < 40 else f"{name[:38]}…", "end")
+        chart.label(chart.x(count) + 8, middle, str(count), "start")
+    said = "; ".join(f"{name}: {count}" for name, count in rows)
+    title = f"Predictions for {entry.asked.id}"
+    return (
+        f"<h3>{text(entry.asked.id)}</h3>\n<p>{inline(entry.asked.prompt)}</p>\n"
+        f"<figure>{chart.svg(title, said + '.')}<figcaption>{entry.count} of {students} "
+        "predicted.</figcaption></figure>"
+    )
+
+
+def _edges(numbers: Sequence[float]) -> list[float]:
+    """Round numbers around all of these, not many: every number lies below the last."""
+    low, high = min(numbers), max(numbers)
+    least = min((number for number in numbers if number > 0), default=high)
+    if low >= 0 and high >= _WIDE * least > 0:
+        powers = range(math.floor(math.log10(least)), math.floor(math.log10(high)) + 2)
+        made = [float(f"{first}e{power}") for power in powers for first in _MAGNITUDES]
+        first = max(n for n, edge in enumerate(made) if edge <= least)
+        last = next(n for n, edge in enumerate(made) if edge > high)
+        return [*[0.0] * (low == 0), *made[first : last + 1]]
+    step = _round_step((high - low) / _BINS) if high > low else 1.0
+    start = math.floor(low / step)
+    return [round((start + n) * step, 12) for n in range(math.floor(high / step) - start + 2)]
+
+
+def _round_step(least: float) -> float:
+    power = 10.0 ** math.floor(math.log10(least))
+    return next(power * first for first in (1, 2, 5, 10) if power * first >= least)

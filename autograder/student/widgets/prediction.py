@@ -1,0 +1,79 @@
+"""A prediction: one click or one number, kept before the picture shows."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from autograder.course.predictions import Prediction
+from autograder.errors import UsageError
+from autograder.exchange.messages import Message
+from autograder.kinds.typed import parse, value_of
+from autograder.reports.markdown import inline, markdown
+from autograder.student.desk import Desk
+from autograder.student.receipts import RECEIPT, receipt
+from autograder.student.widgets.base import CourseWidget, escaped, source
+
+
+class PredictionWidget(CourseWidget):
+    """Something to predict, on show; once it is kept, it stands."""
+
+    _esm = source("common.js", "prediction.js")
+    _css = source("common.css", "value.css", "prediction.css")
+
+    def __init__(self, desk: Desk, prediction: Prediction) -> None:
+        self.prediction = prediction
+        self.topic = prediction.id
+        super().__init__(desk)
+
+    def what_is_fixed(self) -> dict[str, object]:
+        prediction = self.prediction
+        return {
+            "label": f"{prediction.id} · Predict",
+            "prompt": markdown(prediction.prompt),
+            "choices": [inline(choice) for choice in prediction.choices],
+            "unit": prediction.unit,
+        }
+
+    def what_is_kept(self) -> dict[str, object]:
+        value = self.desk.prediction(self.prediction)
+        return {"said": "" if value is None else inline(self.prediction.in_words(value))}
+
+    def receipt(self) -> dict[str, object] | None:
+        value = self.desk.prediction(self.prediction)
+        said = "nothing yet." if value is None else self.prediction.in_words(value)
+        words = f"Predicted for {self.prediction.id}: {said}"
+        bundle: dict[str, object] = {
+            "text/plain": words,
+            "text/html": f'<p class="autograder-receipt"><small>{escaped(words)}</small></p>',
+        }
+        if value is not None:
+            bundle[RECEIPT] = receipt(self.prediction.id, value)
+        return bundle
+
+    def do_choose(self, message: Message) -> dict[str, object]:
+        """Keep a choice, by its number from 0."""
+        self.desk.predict(self.prediction, self.prediction.choices[int(message["choice"])])
+        return {}
+
+    def do_type(self, message: Message) -> dict[str, object]:
+        """Keep a number that was typed."""
+        self.desk.predict(self.prediction, _number(str(message["text"])))
+        return {}
+
+
+def _number(text: str) -> Any:
+    """What a typed number means; arithmetic such as ``1/3`` will do.
+
+    A percent sign says what the unit says already, and is passed over.
+
+    Raises:
+        UsageError: if it is none.
+    """
+
+    def no_name(name: str) -> object:
+        raise UsageError(f"{name} is not a number here.")
+
+    try:
+        return value_of(parse(text.strip().removesuffix("%")), no_name, {})
+    except (ArithmeticError, ValueError, TypeError) as error:
+        raise UsageError(f"This has no value: {str(error).rstrip('.')}.") from None
