@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 
-def fitted_line(case: dict[str, Any], expected: Any, actual: Any) -> dict[str, Any] | None:
+def fitted_line(case: dict[str, Any], expected: Any, actual: Any) -> dict[str, object] | None:
     """Describe the points of a case, the line that fits best and the line that was returned.
 
     Returns None if `actual` is no line, a pair of finite numbers (r, alpha).
@@ -36,7 +36,7 @@ def fitted_line(case: dict[str, Any], expected: Any, actual: Any) -> dict[str, A
     }
 
 
-def consensus(case: dict[str, Any], expected: Any, actual: Any) -> dict[str, Any] | None:
+def consensus(case: dict[str, object], expected: Any, actual: Any) -> dict[str, Any] | None:
     """Describe the line that RANSAC found, from the pairs (line, inliers)."""
     return fitted_line(case, expected[0], actual[0])
 

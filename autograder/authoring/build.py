@@ -14,14 +14,18 @@ from pathlib import Path
 from typing import Any
 
 import nbformat
+from msgspec.structs import replace
 from nbclient import NotebookClient
 from nbclient.exceptions import CellExecutionError
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
 
+from autograder import __all__
 from autograder.authoring.executed import Executed
 from autograder.authoring.masters import Master, MasterCell, read_masters
 from autograder.course import DEMO, Course
 from autograder.errors import CourseError
+from autograder.kinds.exercise import heading as exercise_heading
+from autograder.kinds.question import Question
 from autograder.kinds.registry import kind_of
 
 STUDENT = Path("notebooks")
@@ -127,7 +131,7 @@ def write(built: list[Built]) -> list[Path]:
     return [entry.path for entry in changed]
 
 
-def _assemble(course: Course, master: Master, solved: bool) -> Any:
+def _assemble(course: Course, master: Master, solved: bool) -> object:
     """The notebook's cells, each with an id that stays the same when others come or go."""
     notebook = new_notebook(metadata=_KERNEL)
     taken: Counter[str] = Counter()
@@ -144,7 +148,11 @@ def _assemble(course: Course, master: Master, solved: bool) -> Any:
         question = course.question(cell.exercise)
         exercise = kind_of(question).exercise(question, course.key[question.id], course.root)
         slug = question.id.replace(".", "-")
-        notebook.cells.append(new_markdown_cell(exercise.heading, id=f"{slug}-question"))
+        asks = exercise.check is not None and course.personal and question.id in course.varied
+        heading = _heading_without_numbers(course, question) if asks else exercise.heading
+        notebook.cells.append(new_markdown_cell(heading, id=f"{slug}-question"))
+        if asks:  # a text that is written into the notebook would have the same numbers for all
+            notebook.cells.append(new_code_cell(f'ask("{question.id}")', id=f"{slug}-ask"))
         source = exercise.solved if solved else exercise.stub
         notebook.cells.append(new_code_cell(source, id=f"{slug}-response"))
         if exercise.check is not None:
@@ -152,10 +160,18 @@ def _assemble(course: Course, master: Master, solved: bool) -> Any:
     return notebook
 
 
+def _heading_without_numbers(course: Course, question: Question) -> str:
+    """What stands above a question whose prompt is shown by a cell, to each with their numbers."""
+    title = str(course.varied[question.id].table["title"])
+    return exercise_heading(replace(question, title="your numbers" if "{" in title else title))
+
+
 def _start(master: Master) -> str:
     names = ["ask", "check", "progress", "submit"]
     if master.predictions:
         names[2:2] = ["predict", "predicted"]
+    names += [name for name in ("me", "numbers") if name in master.calls]
+    names.sort(key=__all__.index)
     return START.format(names=", ".join(names))
 
 
@@ -195,7 +211,7 @@ def _execute(notebook: Any, course: Course, stem: str) -> None:
             cell.outputs = [kept for output in cell.outputs if (kept := _without_images(output))]
 
 
-def _without_images(output: Any) -> Any:
+def _without_images(output: Any) -> object:
     """The output without pictures, which change with every version of Matplotlib.
 
     What stands beside a picture as text stays: nbval compares that.
@@ -209,7 +225,7 @@ def _without_images(output: Any) -> Any:
     return output
 
 
-def _written(course: Course, path: Path, notebook: Any) -> Built:
+def _written(course: Course, path: Path, notebook: object) -> Built:
     nbformat.validate(notebook)
     return Built(course.root / path, nbformat.writes(notebook, version=4) + "\n")
 

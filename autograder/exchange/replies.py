@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import builtins
 import re
-from typing import Any
 
 import numpy as np
 
+from autograder.exchange.messages import Evaluation, Message, Outcome, Report, Told
 from autograder.exchange.printable import printable
 from autograder.exchange.reasons import REASONS
 from autograder.exchange.responses import keep_response
@@ -16,17 +16,17 @@ _CLASS_NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]{0,60}")
 _MAX_TEXT = 200
 _OUTCOMES = ("value", "unusable", "raised")
 _MAX_TABLE = 2**24  # characters of a list as an array of texts
-NOT_PLAIN = {"state": "unusable", "reason": "not plain"}
+NOT_PLAIN: Evaluation = {"state": "unusable", "reason": "not plain"}
 
 
-def clean_report(reply: Any, cells: int) -> dict[str, Any]:
+def clean_report(reply: object, cells: int) -> Report:
     """The report on a run: one error (class name or None) a cell, responses, understood texts."""
     reply = _dictionary(reply)
     errors = reply.get("errors")
     errors = errors if isinstance(errors, list) and len(errors) == cells else [None] * cells
     told = reply.get("told")
     told = told if isinstance(told, list) and len(told) == cells else [None] * cells
-    responses: dict[str, Any] = {}
+    responses: dict[str, object] = {}
     for id, response in _dictionary(reply.get("responses")).items():
         responses |= keep_response(id, response)
     return {
@@ -39,7 +39,7 @@ def clean_report(reply: Any, cells: int) -> dict[str, Any]:
     }
 
 
-def clean_evaluation(reply: Any) -> dict[str, Any]:
+def clean_evaluation(reply: object) -> Evaluation:
     """The reply to a probe, in the form that `autograder.sandbox.inside.evaluate` describes."""
     reply = _dictionary(reply)
     state = reply.get("state")
@@ -54,7 +54,10 @@ def clean_evaluation(reply: Any) -> dict[str, Any]:
         case "given" if isinstance(reply.get("outcomes"), list):
             outcomes = [_outcome(entry) for entry in reply["outcomes"]]
             told = clean_told(reply.get("told"))
-            return {"state": "given", "outcomes": outcomes, **({"told": told} if told else {})}
+            given: Evaluation = {"state": "given", "outcomes": outcomes}
+            if told:
+                given["told"] = told
+            return given
         case "given" if isinstance(reply.get("values"), np.ndarray):
             return {"state": "given", "values": reply["values"]}
         case "given" if _is_number(reply.get("value")):
@@ -62,7 +65,7 @@ def clean_evaluation(reply: Any) -> dict[str, Any]:
     return NOT_PLAIN
 
 
-def clean_told(entry: Any) -> dict[str, Any] | None:
+def clean_told(entry: object) -> Told | None:
     """What was told of an exception: kind, message, maybe module, line and source; or None."""
     entry = _dictionary(entry)
     if not entry:
@@ -77,7 +80,7 @@ def clean_told(entry: Any) -> dict[str, Any] | None:
     }
 
 
-def clean_text(text: Any, limit: int = _MAX_TEXT) -> str:
+def clean_text(text: object, limit: int = _MAX_TEXT) -> str:
     """One printable line without control characters or halves of characters."""
     if not isinstance(text, str):
         return ""
@@ -85,11 +88,11 @@ def clean_text(text: Any, limit: int = _MAX_TEXT) -> str:
     return " ".join(line.split())[:limit]
 
 
-def _outcome(entry: Any) -> dict[str, Any]:
+def _outcome(entry: object) -> Outcome:
     entry = _dictionary(entry)
     if "value" in entry:
         if entry.keys() <= {"value", "changed", "drawn"} and _is_bounded(entry["value"]):
-            clean = {"value": entry["value"]}
+            clean: Outcome = {"value": entry["value"]}
             if "changed" in entry:
                 clean["changed"] = True
             if type(entry.get("drawn")) is int:
@@ -104,7 +107,7 @@ def _outcome(entry: Any) -> dict[str, Any]:
     return {"unusable": "not plain"}
 
 
-def _is_bounded(value: Any) -> bool:
+def _is_bounded(value: object) -> bool:
     """Whether NumPy can be given the value, whatever is then compared with it.
 
     It makes an array of texts out of a list that holds one, each as long as the longest: a long
@@ -126,21 +129,21 @@ def _is_bounded(value: Any) -> bool:
     return entries * longest <= _MAX_TABLE
 
 
-def _is_reason(value: Any) -> bool:
+def _is_reason(value: object) -> bool:
     return isinstance(value, str) and value in REASONS
 
 
-def _is_number(value: Any) -> bool:
+def _is_number(value: object) -> bool:
     return isinstance(value, int | float | complex) and not isinstance(value, bool)
 
 
-def _class_name(value: Any) -> str:
+def _class_name(value: object) -> str:
     if isinstance(value, str) and _CLASS_NAME.fullmatch(value):
         return value
     return "Exception"
 
 
-def _public_name(value: Any) -> str:
+def _public_name(value: object) -> str:
     if not isinstance(value, str):
         return "Exception"
     known = getattr(builtins, value, None)
@@ -149,5 +152,5 @@ def _public_name(value: Any) -> str:
     return "Exception"
 
 
-def _dictionary(value: Any) -> dict[str, Any]:
+def _dictionary(value: object) -> Message:
     return value if isinstance(value, dict) else {}

@@ -10,8 +10,9 @@ import os
 from dataclasses import asdict, dataclass, replace
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import Any
 from urllib.parse import unquote_to_bytes
+
+from autograder.exchange.messages import Message
 
 LAYOUT, TIMES_FILE, CLASS_LIST, INSIDE, FILE = (
     "layout",  # a side file, a name or a repository of the download
@@ -84,9 +85,9 @@ class Origin:
         """The same, handed in at another time."""
         return replace(self, handed_in=time, time_from=time_from if time is not None else "")
 
-    def to_dict(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, object]:
         """As plain data, for the gradebook."""
-        table: dict[str, Any] = {"layout": self.layout, "prefix": self.prefix}
+        table: dict[str, object] = {"layout": self.layout, "prefix": self.prefix}
         table["claims"] = [
             {key: value for key, value in asdict(claim).items() if value} for claim in self.claims
         ]
@@ -100,7 +101,7 @@ class Origin:
         return table
 
     @staticmethod
-    def from_dict(table: dict[str, Any]) -> Origin:
+    def from_dict(table: Message) -> Origin:
         """What `to_dict` wrote; nothing was written before the gradebook kept origins."""
         handed_in = table.get("handed_in")
         return Origin(

@@ -18,6 +18,8 @@ from autograder.errors import CourseError
 from autograder.kinds import toml_lines
 from autograder.kinds.written import BLANK, ID, NAME, Written, check_python_name
 
+Table = dict[str, Any]  # of TOML, before this reader has seen it
+
 W = TypeVar("W", bound=Written)
 
 _WORDS = {
@@ -27,6 +29,7 @@ _WORDS = {
     "bool": "true or false",
     "array": "a list in [...]",
     "object": "a table",
+    "datetime": "a date and time such as 2026-11-20T23:59:00",
 }
 _AT = re.compile(r"^(?P<problem>.*?)(?: - at `\$(?P<path>[^`]*)`)?$", re.DOTALL)
 _EXPECTED = re.compile(r"Expected `(?P<wanted>[^`]*)`(?P<rest>.*)", re.DOTALL)
@@ -69,7 +72,7 @@ def read_table(table: object, kind: type[W], place: Place, **given: str) -> W:
 
 
 def _explained(
-    message: str, table: dict[str, Any], kind: type[Written]
+    message: str, table: dict[str, object], kind: type[Written]
 ) -> tuple[str, toml_lines.Path]:
     """What is wrong, in an author's words, and where in the table."""
     found = _AT.match(message)
@@ -85,12 +88,15 @@ def _explained(
         return f"{inside}unknown field {field['name']!r}; {cure}", (*path, field["name"])
     if problem.startswith("Invalid enum value"):
         return f"{_trail(table, path)} is {_at(table, path)!r}; write {_choices(kind, path)}", path
+    if problem.startswith("Invalid RFC3339"):
+        what, value = _trail(table, path), _at(table, path)
+        return f"{what} is {value!r}, and must be {_WORDS['datetime']}", path
     if expected := _EXPECTED.match(problem):
         return _expected(expected["wanted"], expected["rest"], table, path), path
     return (f"in {_trail(table, path)}, {problem}" if path else problem), path
 
 
-def _expected(wanted: str, rest: str, table: dict[str, Any], path: toml_lines.Path) -> str:
+def _expected(wanted: str, rest: str, table: dict[str, object], path: toml_lines.Path) -> str:
     what, value = _trail(table, path), _at(table, path)
     if rest.startswith(" matching regex"):
         if rest.endswith(repr(BLANK)):
@@ -132,7 +138,7 @@ def _at(table: Any, path: toml_lines.Path) -> Any:
     return table
 
 
-def _trail(table: dict[str, Any], path: toml_lines.Path) -> str:
+def _trail(table: dict[str, object], path: toml_lines.Path) -> str:
     """A path in words: ``credit of alternative 'rounded down'``."""
     words: list[str] = []
     for depth, step in enumerate(path):
@@ -160,8 +166,8 @@ def _choices(kind: type[Written], path: toml_lines.Path) -> str:
     return " or ".join(repr(value) for value in getattr(_type_at(kind, path), "values", ()))
 
 
-def _type_at(kind: type[Written], path: toml_lines.Path) -> Any:
-    here: Any = msgspec.inspect.type_info(kind)
+def _type_at(kind: type[Written], path: toml_lines.Path) -> object:
+    here: object = msgspec.inspect.type_info(kind)
     for step in path:
         if isinstance(here, msgspec.inspect.StructType) and isinstance(step, str):
             here = next(f.type for f in here.fields if f.encode_name == step)
@@ -172,7 +178,7 @@ def _type_at(kind: type[Written], path: toml_lines.Path) -> Any:
     return here
 
 
-def _not_finite(value: Any, path: toml_lines.Path = ()) -> Iterator[toml_lines.Path]:
+def _not_finite(value: object, path: toml_lines.Path = ()) -> Iterator[toml_lines.Path]:
     if isinstance(value, float) and not isfinite(value):
         yield path
     elif isinstance(value, Mapping):

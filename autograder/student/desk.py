@@ -10,13 +10,14 @@ from weakref import WeakSet
 from autograder.course import Course
 from autograder.course.predictions import Guess, Prediction
 from autograder.course.questions import Question
+from autograder.exchange.responses import Entry
 from autograder.kinds.mark import Mark, not_attempted, stopped
 from autograder.kinds.registry import kind_of
 from autograder.sandbox.inside.evaluate import describe, evaluate
 from autograder.student.frontend import running_shell
 from autograder.student.marker_client import marker_for
 from autograder.student.receipts import rescued_entries
-from autograder.student.responses import Entry, Responses, attempts, responses_folder
+from autograder.student.responses import Responses, attempts, responses_folder
 
 
 class Desk:
@@ -26,9 +27,10 @@ class Desk:
     a thread of its own, so that they count while a cell runs.
     """
 
-    def __init__(self, course: Course) -> None:
+    def __init__(self, course: Course, student: str = "") -> None:
         self.course = course
-        self._onlookers: WeakSet[Any] = WeakSet()
+        self.student = student  # who they say they are
+        self._onlookers: WeakSet[object] = WeakSet()
         self._lock = threading.Lock()
         self._searched: set[str] = set()
 
@@ -44,6 +46,17 @@ class Desk:
             name,
             rescue=lambda: rescued_entries(self.course, chapter),
         )
+
+    def whose(self, question: Question) -> str:
+        """Whose response it is, and whose numbers the question has: a sentence for its foot."""
+        varies = self.course.personal and question.id in self.course.varied
+        if not self.student:
+            if not varies:
+                return ""
+            return "These are the sheet's numbers: say who you are, and you have your own."
+        if varies:
+            return f"Answered by {self.student}, whose own numbers these are."
+        return f"Answered by {self.student}."
 
     def mend(self) -> list[str]:
         """Put right what is damaged or missing, and say what was done.
@@ -73,7 +86,7 @@ class Desk:
             return {**entry, "response": None}
         return entry
 
-    def keep(self, question: Question, change: Callable[[Any], Any]) -> Entry:
+    def keep(self, question: Question, change: Callable[[object], object]) -> Entry:
         """Keep a response without marking it; ``change`` makes the new response of the old one.
 
         Raises:
@@ -147,7 +160,7 @@ class Desk:
             self._note(question, mark, lambda entry: entry.get("response"))
         return mark
 
-    def keep_typed(self, question: Question, text: str) -> Any:
+    def keep_typed(self, question: Question, text: str) -> object:
         """Keep what was typed into the field of a question, and return what it means.
 
         Raises:
@@ -163,12 +176,12 @@ class Desk:
         response = self.entry(question).get("response")
         return ... if response is None else kind_of(question).typed_value(question, response)
 
-    def was_typed(self, question: Question, response: Any) -> bool:
+    def was_typed(self, question: Question, response: object) -> bool:
         """Whether a variable's value is what was typed into the question's field."""
         typed = self.typed(question)
         return typed is not ... and type(response) is type(typed) and bool(response == typed)
 
-    def mark_value(self, question: Question, response: Any, count: bool = True) -> Mark:
+    def mark_value(self, question: Question, response: object, count: bool = True) -> Mark:
         """Mark a value, an expression or a function.
 
         An ellipsis stands for what was typed into the field, if anything was.
@@ -216,12 +229,12 @@ class Desk:
         for onlooker in self._present():
             onlooker.follow(id)
 
-    def watch(self, onlooker: Any) -> None:
+    def watch(self, onlooker: object) -> None:
         """Tell something on show of changes from now on, as long as it is there."""
         with self._lock:
             self._onlookers.add(onlooker)
 
-    def unwatch(self, onlooker: Any) -> None:
+    def unwatch(self, onlooker: object) -> None:
         """Stop telling it."""
         with self._lock:
             self._onlookers.discard(onlooker)
@@ -239,7 +252,7 @@ class Desk:
         self,
         question: Question,
         mark: Mark,
-        response: Callable[[Entry], Any],
+        response: Callable[[Entry], object],
         understood: str = "",
     ) -> None:
         """Write a mark to the response it belongs to, and count the attempt."""
@@ -265,7 +278,7 @@ def hints_open(entry: Entry) -> int:
     return count if isinstance(count, int) and count >= 0 else 0
 
 
-def _is_stub(response: Any) -> bool:
+def _is_stub(response: object) -> bool:
     """Whether a function still only raises NotImplementedError, as the handout's stub does."""
     code = getattr(response, "__code__", None)
     return code is not None and code.co_names == ("NotImplementedError",)

@@ -8,14 +8,13 @@ import tempfile
 from collections.abc import Callable
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import Any
 
 from filelock import FileLock, Timeout
 
 from autograder.errors import AutograderError
+from autograder.exchange.responses import Entry
 
 LOCK_SECONDS = 10.0
-Entry = dict[str, Any]
 
 
 class ResponsesError(AutograderError):

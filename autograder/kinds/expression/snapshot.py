@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from contextlib import suppress
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 
+from autograder.exchange.messages import Message
 from autograder.kinds.expression.answer import ExpressionAnswer
 from autograder.kinds.expression.marking import POINT_COUNT, Points, same_values
 from autograder.kinds.expression.question import Expression
@@ -20,7 +20,7 @@ _POINTS = 6
 _TELLING = 4  # different values, for a relation to say anything
 
 
-def take_snapshot(answer: ExpressionAnswer, points: Points) -> dict[str, Any]:
+def take_snapshot(answer: ExpressionAnswer, points: Points) -> Message:
     """Some of the points, and the values of what is right there."""
     # Some of both halves, so that what must not depend on a symbol is seen to depend on it.
     chosen = [*range(_POINTS), *range(POINT_COUNT, POINT_COUNT + _POINTS)]
@@ -42,7 +42,7 @@ def take_snapshot(answer: ExpressionAnswer, points: Points) -> dict[str, Any]:
     }
 
 
-def mark_snapshot(question: Expression, snapshot: dict[str, Any], values: Any) -> Mark:
+def mark_snapshot(question: Expression, snapshot: Message, values: object) -> Mark:
     """Right, or wrong with one point at which it differs."""
     if isinstance(values, np.ndarray) and values.ndim == 2 and len(values) > 0:
         marks = [mark_snapshot(question, snapshot, row) for row in values]
@@ -71,7 +71,7 @@ def mark_snapshot(question: Expression, snapshot: dict[str, Any], values: Any) -
     return replace(wrong(question, f"{found.sentence} {said}"), alternative=found.name)
 
 
-def _related(accepted: list[dict[str, Any]], values: np.ndarray) -> Diagnosis | None:
+def _related(accepted: list[Message], values: np.ndarray) -> Diagnosis | None:
     """The simplest relation between what is right at the points and what was given."""
     for relation in RELATIONS:
         for entry in accepted:

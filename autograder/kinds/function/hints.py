@@ -3,19 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
 
 import numpy as np
 
 from autograder.exchange.reasons import REASONS
 from autograder.kinds.function.question import Function
+from autograder.kinds.function.values import Values
 
 _SHORT = 160  # characters of an input or a value that a hint may show
 
 
-def hint(
-    question: Function, case: Mapping[str, Any], expected: Mapping[str, Any], outcome: Any
-) -> str:
+def hint(question: Function, case: Values, expected: Mapping[str, object], outcome: object) -> str:
     """One failing case, in numbers if they are few."""
     arguments = [_shown(value) for value in case["args"]]
     arguments += [f"{name}={_shown(value)}" for name, value in case.get("kwargs", {}).items()]
@@ -33,7 +31,7 @@ def hint(
     return f"{call} {gave}; expected is {right}."
 
 
-def _shown(value: Any) -> str:
+def _shown(value: object) -> str:
     with np.printoptions(precision=6, suppress=True, threshold=20):
         if isinstance(value, np.ndarray):
             text = f"np.array({np.array2string(value, separator=', ')})"

@@ -22,13 +22,13 @@ import time
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from types import FunctionType
-from typing import Any
 
 import numpy as np
 
 from autograder.kinds.function.marking import Compare, Outcome, agrees
 from autograder.kinds.function.slips import VAGUE, in_words, slips
 from autograder.kinds.function.trial import mutants_of, outcome_of
+from autograder.kinds.function.values import Value
 from autograder.marking.diagnosis.relations import Diagnosis
 from autograder.marking.mutants.clones import reachable
 from autograder.marking.mutants.mutant import Mutant, OutOfTime
@@ -42,7 +42,7 @@ _SLOW = 0.2  # for right work in other clothes on all cases: it is not changed i
 _REMARK = re.compile(r"#\s*names:\s*(.+?)\s*$")
 _LOST: Outcome = {"unusable": "not plain"}
 
-Call = Callable[..., Any]
+Call = Callable[..., object]
 
 
 class Hypotheses:
@@ -51,7 +51,7 @@ class Hypotheses:
     def __init__(
         self,
         reference: Call,
-        cases: Sequence[dict[str, Any]],
+        cases: Sequence[dict[str, Value]],
         compare: Compare,
         root: Path,
         other_clothes: Callable[[], Sequence[Call]] = list,
@@ -67,14 +67,14 @@ class Hypotheses:
         self._lock = threading.Lock()
 
     def explain(
-        self, right: Sequence[Outcome], outcomes: Sequence[Any], verdicts: Sequence[bool]
+        self, right: Sequence[Outcome], outcomes: Sequence[Value], verdicts: Sequence[bool]
     ) -> Diagnosis | None:
         """The change with which the reference gives these outcomes, if there is one."""
         with self._lock:
             return self._explain(right, outcomes, verdicts)
 
     def _explain(
-        self, right: Sequence[Outcome], outcomes: Sequence[Any], verdicts: Sequence[bool]
+        self, right: Sequence[Outcome], outcomes: Sequence[Value], verdicts: Sequence[bool]
     ) -> Diagnosis | None:
         begin, before = time.thread_time(), self._spent
         made = self._changes()
@@ -109,7 +109,7 @@ class Hypotheses:
         index: int,
         case: int,
         right: Sequence[Outcome],
-        outcomes: Sequence[Any],
+        outcomes: Sequence[Value],
         verdicts: Sequence[bool],
     ) -> bool:
         """Whether a changed reference and a response do the same on a case."""
@@ -226,7 +226,7 @@ def _with_ticks(tree: ast.FunctionDef) -> ast.FunctionDef:
 
 
 def _called_otherwise(
-    reference: Call, cases: Sequence[dict[str, Any]]
+    reference: Call, cases: Sequence[dict[str, Value]]
 ) -> Iterator[tuple[Mutant, Call]]:
     """The reference with two of its arguments exchanged, or one of them turned."""
     first = cases[0]["args"]
@@ -252,12 +252,12 @@ def _called_otherwise(
 
 
 def _with_others_changed(
-    reference: Call, cases: Sequence[dict[str, Any]]
+    reference: Call, cases: Sequence[dict[str, Value]]
 ) -> Iterator[tuple[Mutant, Call]]:
     """What the first case leaves to its default, squared or rooted wherever it is given."""
     signature = inspect.signature(reference)
     names = list(signature.parameters)
-    given: dict[str, Any] = {}
+    given: dict[str, Value] = {}
     for case in cases:
         given |= dict(zip(names, case["args"], strict=False)) | case.get("kwargs", {})
     first = {*names[: len(cases[0]["args"])], *cases[0].get("kwargs", {})}
@@ -271,9 +271,9 @@ def _with_others_changed(
 
 
 def _changing_named(
-    reference: Call, signature: inspect.Signature, name: str, change: Callable[[Any], Any]
+    reference: Call, signature: inspect.Signature, name: str, change: Callable[[Value], Value]
 ) -> Call:
-    def called(*args: Any, **kwargs: Any) -> Any:
+    def called(*args: Value, **kwargs: Value) -> Value:
         bound = signature.bind(*args, **kwargs).arguments
         if bound.get(name) is not None:
             bound[name] = change(bound[name])
@@ -283,7 +283,7 @@ def _changing_named(
 
 
 def _exchanging(reference: Call, one: int, other: int) -> Call:
-    def called(*args: Any, **kwargs: Any) -> Any:
+    def called(*args: Value, **kwargs: Value) -> Value:
         given = list(args)
         given[one], given[other] = given[other], given[one]
         return reference(*given, **kwargs)
@@ -291,8 +291,8 @@ def _exchanging(reference: Call, one: int, other: int) -> Call:
     return called
 
 
-def _changing(reference: Call, place: int, change: Callable[[Any], Any]) -> Call:
-    def called(*args: Any, **kwargs: Any) -> Any:
+def _changing(reference: Call, place: int, change: Callable[[Value], Value]) -> Call:
+    def called(*args: Value, **kwargs: Value) -> Value:
         return reference(*args[:place], change(args[place]), *args[place + 1 :], **kwargs)
 
     return called

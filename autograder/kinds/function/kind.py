@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -21,6 +20,7 @@ from autograder.kinds.function.question import Function
 from autograder.kinds.function.stub import function_stub, reference_source
 from autograder.kinds.function.take_snapshot import take_snapshot
 from autograder.kinds.function.trial import FunctionTrial
+from autograder.kinds.function.values import Value
 from autograder.kinds.mark import Mark
 from autograder.marking.mutants.mutant import Trial
 
@@ -44,20 +44,20 @@ class FunctionKind(CodeKind[Function, FunctionAnswer]):
         question: Function,
         answer: FunctionAnswer,
         drawn: Drawn,
-        response: dict[str, Any],
+        response: dict[str, object],
         understood: str,
     ) -> Mark | None:
         outcomes = response.get("outcomes")
         return mark_function(question, answer, drawn.expected, outcomes, drawn.tells)
 
-    def example(self, drawn: Drawn) -> tuple[dict[str, Any], Any] | None:
+    def example(self, drawn: Drawn) -> tuple[dict[str, Value], Value] | None:
         case, outcome = drawn.expected.cases[0], drawn.expected.outcomes[0]
         return (case, outcome["value"]) if case.get("public") and "value" in outcome else None
 
     def picture(self, answer: FunctionAnswer) -> str | None:
         return answer.picture
 
-    def widget(self, desk: Any, question: Function, *checked: Any) -> Any:
+    def widget(self, desk: Value, question: Function, *checked: Value) -> Value:
         from autograder.kinds.function.widget import FunctionWidget
 
         return FunctionWidget(desk, question, *checked)
@@ -79,7 +79,7 @@ class FunctionKind(CodeKind[Function, FunctionAnswer]):
             if not entry.is_mistake:
                 yield f"the mistake {entry.name!r} gets full credit; lower it."
 
-    def response_like(self, question: Function, alternative: Alternative, drawn: Drawn) -> Any:
+    def response_like(self, question: Function, alternative: Alternative, drawn: Drawn) -> object:
         outcomes = {entry.name: found for entry, found in drawn.expected.mistakes}
         return {"state": "given", "outcomes": list(outcomes[alternative.name])}
 
@@ -111,16 +111,18 @@ class FunctionKind(CodeKind[Function, FunctionAnswer]):
 
     def take_snapshot(
         self, question: Function, answer: FunctionAnswer, drawn: Drawn, again: Drawn
-    ) -> tuple[dict[str, Any], list[str]]:
+    ) -> tuple[dict[str, Value], list[str]]:
         return take_snapshot(answer, drawn.expected, again.expected)
 
-    def snapshot_probe(self, question: Function, snapshot: dict[str, Any] | None) -> dict[str, Any]:
+    def snapshot_probe(
+        self, question: Function, snapshot: dict[str, Value] | None
+    ) -> dict[str, object]:
         cases = snapshot["cases"] if snapshot else []
         sent = [{"args": case["args"], "kwargs": case.get("kwargs", {})} for case in cases]
         return {**super().snapshot_probe(question, snapshot), "cases": sent}
 
     def mark_snapshot(
-        self, question: Function, snapshot: dict[str, Any], response: dict[str, Any]
+        self, question: Function, snapshot: dict[str, Value], response: dict[str, Value]
     ) -> Mark:
         return examples.mark_snapshot(question, snapshot, response.get("outcomes", []))
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
 
 import numpy as np
 
@@ -11,12 +10,13 @@ from autograder.kinds.function.diagnosis import diagnose_function
 from autograder.kinds.function.hints import hint
 from autograder.kinds.function.marking import agrees, close
 from autograder.kinds.function.question import Function
+from autograder.kinds.function.values import Value
 from autograder.kinds.mark import Mark, Part, stopped
 from autograder.kinds.snapshot import LATER
 from autograder.marking.diagnosis.relations import Diagnosis
 
 
-def mark_snapshot(question: Function, snapshot: dict[str, Any], outcomes: list[Any]) -> Mark:
+def mark_snapshot(question: Function, snapshot: dict[str, Value], outcomes: list[Value]) -> Mark:
     """Right, or wrong with one case that fails; left open where the key would forgive more."""
     cases = snapshot["cases"]
     verdicts = [
@@ -53,11 +53,11 @@ def mark_snapshot(question: Function, snapshot: dict[str, Any], outcomes: list[A
 
 
 def _diagnosis(
-    cases: list[dict[str, Any]], outcomes: list[Any], verdicts: list[bool]
+    cases: list[dict[str, Value]], outcomes: list[Value], verdicts: list[bool]
 ) -> Diagnosis | None:
     """What the response looks like on the examples, which are all that is known here."""
 
-    def same(case: Mapping[str, Any], changed: Any, value: Any) -> bool:
+    def same(case: Mapping[str, Value], changed: Value, value: Value) -> bool:
         return close({}, changed, value)
 
     try:
@@ -67,7 +67,7 @@ def _diagnosis(
         return None
 
 
-def _is_wrong(case: dict[str, Any], outcome: Any) -> bool:
+def _is_wrong(case: dict[str, Value], outcome: object) -> bool:
     """Whether an outcome is nothing like the right one, or that of a known mistake."""
     if not (isinstance(outcome, dict) and "value" in outcome and "value" in case["expected"]):
         return True
@@ -76,7 +76,7 @@ def _is_wrong(case: dict[str, Any], outcome: Any) -> bool:
     )
 
 
-def _alike(expected: Any, actual: Any) -> bool:
+def _alike(expected: object, actual: object) -> bool:
     """Whether a value is of the expected one's make: numbers where numbers are, lists for lists."""
     try:
         right, given = np.asarray(expected), np.asarray(actual)

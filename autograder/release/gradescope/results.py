@@ -5,8 +5,6 @@ https://gradescope-autograders.readthedocs.io/en/latest/specs/
 
 from __future__ import annotations
 
-from typing import Any
-
 from autograder.course import Course
 from autograder.course.questions import Question
 from autograder.gradebook.record import Record
@@ -16,7 +14,7 @@ from autograder.reports.machine import most_points
 from autograder.reports.terminal import printable
 
 
-def results(course: Course, record: Record, explanations: bool = False) -> dict[str, Any]:
+def results(course: Course, record: Record, explanations: bool = False) -> dict[str, object]:
     """The results of one submission, a test for each question.
 
     All text is plain: what students wrote is shown as it is. The score stands at the top too,
@@ -41,7 +39,7 @@ def results(course: Course, record: Record, explanations: bool = False) -> dict[
     }
 
 
-def failure(sentence: str, most: float) -> dict[str, Any]:
+def failure(sentence: str, most: float) -> dict[str, object]:
     """Results that say to students that grading failed, and earn nothing yet."""
     return {
         "score": 0.0,
@@ -53,7 +51,7 @@ def failure(sentence: str, most: float) -> dict[str, Any]:
     }
 
 
-def _test(question: Question, record: Record, explanations: bool) -> dict[str, Any]:
+def _test(question: Question, record: Record, explanations: bool) -> dict[str, object]:
     mark = record.marks.get(question.id)
     points = record.points(question.id) or 0.0
     return {

@@ -34,8 +34,9 @@ import traceback
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import NoReturn
 
+from autograder.exchange.messages import Message
 from autograder.sandbox import landlock, lockdown, seccomp
 from autograder.sandbox.inside.serve import prepare_process, serve
 from autograder.sandbox.inside.warm import warm
@@ -169,7 +170,7 @@ class Zygote:
             self._say({"ended": message["end"], "had": self._own_time.since(0.0)})
         return True
 
-    def _start(self, message: dict[str, Any], descriptor: int) -> None:
+    def _start(self, message: Message, descriptor: int) -> None:
         """Fork a child and wait until it is confined.
 
         Raises:
@@ -286,7 +287,7 @@ class Zygote:
         if data.is_dir():
             (self._work / "data").symlink_to(data)
 
-    def _say(self, message: dict[str, Any]) -> None:
+    def _say(self, message: dict[str, object]) -> None:
         with suppress(OSError):  # the grader has gone; the closed socket ends the loop
             self._control.send(json.dumps(message).encode())
 
@@ -298,7 +299,7 @@ def _why(status: int) -> str:
     return "it ended its own process"
 
 
-def _short_of(error: BaseException) -> dict[str, Any]:
+def _short_of(error: BaseException) -> dict[str, object]:
     """The system's number of an error, and the file or the limit that it is about."""
     if isinstance(error, MemoryError):
         return {"short": errno.ENOMEM, "where": ""}

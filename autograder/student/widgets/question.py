@@ -6,12 +6,15 @@ from typing import Any
 
 from autograder.course.questions import Question
 from autograder.errors import AutograderError
+from autograder.exchange.responses import Entry
 from autograder.kinds.mark import Mark
+from autograder.kinds.registry import kind_of
 from autograder.kinds.status import Status
 from autograder.reports.markdown import inline, markdown
 from autograder.student.desk import Desk, hints_open
+from autograder.student.frontend import in_vscode
 from autograder.student.receipts import RECEIPT, receipt
-from autograder.student.responses import Entry, attempts
+from autograder.student.responses import attempts
 from autograder.student.views import number, plural
 from autograder.student.widgets.base import CourseWidget, escaped
 
@@ -23,21 +26,22 @@ class QuestionWidget(CourseWidget):
         self.question = question
         self.topic = question.id
         self.mark: Mark | None = None
-        self.marked_response: Any = None
+        self.marked_response: object = None
         self._with_prompt = with_prompt
         self._refusal = desk.responses(question).refusal()
         super().__init__(desk)
 
-    def what_is_fixed(self) -> dict[str, Any]:
+    def what_is_fixed(self) -> dict[str, object]:
         question = self.question
         return {
             "label": f"{question.id} · {question.title}",
             "prompt": markdown(question.prompt) if self._with_prompt else "",
             "hints": [markdown(hint) for hint in question.hints],
             "marks": self.desk.can_mark(question),
+            "foot": self.desk.whose(question),
         }
 
-    def what_is_kept(self) -> dict[str, Any]:
+    def what_is_kept(self) -> dict[str, object]:
         entry = self.desk.entry(self.question)
         count = attempts(entry)
         return {
@@ -48,7 +52,7 @@ class QuestionWidget(CourseWidget):
             "refusal": self._refusal,
         }
 
-    def mark_on_show(self, entry: Entry) -> dict[str, Any] | None:
+    def mark_on_show(self, entry: Entry) -> dict[str, object] | None:
         """The mark, as long as it belongs to what is kept."""
         mark = self.mark
         if mark is None or entry.get("response") != self.marked_response:
@@ -75,15 +79,18 @@ class QuestionWidget(CourseWidget):
         self.mark = mark
         self.marked_response = self.desk.entry(self.question).get("response")
 
-    def do_hint(self, message: dict[str, Any]) -> dict[str, Any]:
+    def do_hint(self, message: dict[str, object]) -> dict[str, object]:
         """Open one more hint."""
         self.desk.open_hint(self.question)
         return {}
 
-    def receipt(self) -> dict[str, Any] | None:
+    def receipt(self) -> dict[str, object] | None:
         response = self.desk.entry(self.question).get("response")
         words = f"Kept for {self.question.id}: {self.words(response)}"
-        bundle: dict[str, Any] = {
+        if in_vscode():  # where the widget may be an error: this line is there nevertheless
+            line = kind_of(self.question).respond_line(self.question, response)
+            words += f" If there is nothing to click, answer in a cell: {line}"
+        bundle: dict[str, object] = {
             "text/plain": words,
             # Hidden while the widget itself is drawn.
             "text/html": f'<p class="autograder-receipt"><small>{escaped(words)}</small></p>',
@@ -92,7 +99,7 @@ class QuestionWidget(CourseWidget):
             bundle[RECEIPT] = receipt(self.question.id, response)
         return bundle
 
-    def words(self, response: Any) -> str:
+    def words(self, response: object) -> str:
         """The response for people to read."""
         return "nothing yet." if response is None else str(response)
 
