@@ -179,7 +179,8 @@ class ProgressView(_View):
 class SubmissionView(_View):
     """What was packed, what is unanswered, and above all what the file may lack.
 
-    ``warning`` says what is not saved, ``advice`` what else to do with the file.
+    ``warning`` says what is not saved, ``advice`` what else to do with the file or what was done;
+    ``taken`` is true if a drop folder has it already.
     """
 
     def __init__(
@@ -189,12 +190,14 @@ class SubmissionView(_View):
         count: int,
         warning: str = "",
         advice: str = "",
+        taken: bool = False,
     ) -> None:
         self.packed = packed
         self.unanswered = unanswered
         self.count = count
         self.warning = warning
         self.advice = advice
+        self.taken = taken
 
     def lines(self) -> list[str]:
         notebooks = [name for name in self.packed.names if name.endswith(".ipynb")]
@@ -205,7 +208,7 @@ class SubmissionView(_View):
         if self.warning:
             lines = [f"**Not ready to hand in:** {self.warning}", "", held, ""]
         else:
-            lines = [f"{held} Hand in this file.", ""]
+            lines = [held if self.taken else f"{held} Hand in this file.", ""]
         if self.advice:
             lines += [self.advice, ""]
         if not self.unanswered:
