@@ -4,11 +4,18 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
-from typing import Any
+from typing import Protocol
 
 from autograder.student.frontend import running_shell
 
 _run: dict[str, str] = {}  # cell id -> the source that was run last
+
+
+class CellInfo(Protocol):
+    """What IPython tells of a cell before it runs it."""
+
+    raw_cell: str
+    store_history: bool
 
 
 def watch() -> None:
@@ -18,7 +25,7 @@ def watch() -> None:
         shell.events.register("pre_run_cell", _remember)
 
 
-def _remember(info: Any) -> None:
+def _remember(info: CellInfo) -> None:
     cell = getattr(info, "cell_id", None)
     if cell is not None and info.store_history:
         _run[cell] = info.raw_cell

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import builtins
-from typing import Any
 
 from autograder.errors import UsageError
 from autograder.kinds.expression.question import Expression
+from autograder.kinds.formula import Term
 from autograder.kinds.typed import parse, value_of
 
 _OF_SYMPY = (
@@ -60,7 +60,7 @@ def read_expression(question: Expression, text: str) -> object:
     functions |= {"arcsin": sp.asin, "arccos": sp.acos}
     tree = parse(text, functions)
 
-    def name(id: str) -> Any:
+    def name(id: str) -> Term:
         if id in symbols:
             return symbols[id]
         if id in constants:
