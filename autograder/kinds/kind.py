@@ -154,6 +154,10 @@ class Kind(ABC, Generic[Q, A]):
     def lines(self, question: Q, response: object) -> list[str]:
         """The question as Markdown, below its prompt, for where no widget can be drawn."""
 
+    def respond_line(self, question: Q, response: object) -> str:
+        """A line of code that answers the question, to copy where no widget can be drawn."""
+        return f'ask("{question.id}").respond(...)'
+
     @abstractmethod
     def widget(self, desk: Any, question: Q, value: object = ..., mark: Mark | None = None) -> Any:
         """A `QuestionWidget` that asks the question.

@@ -13,7 +13,7 @@ from autograder.kinds.registry import kind_of
 from autograder.student import unsaved
 from autograder.student.course_path import course_of_notebook, put_course_first
 from autograder.student.desk import Desk
-from autograder.student.frontend import widgets_wanted
+from autograder.student.frontend import colab_notebook, in_colab, widgets_wanted
 from autograder.student.identity import become, student_of
 from autograder.student.live import Live, Shown, View
 from autograder.student.marker_client import marker_for
@@ -29,6 +29,14 @@ from autograder.student.views import (
 )
 
 MISSING: object = object()
+COLAB = (
+    "Download it from the panel of files (the folder on the left) before you close the page: "
+    "Colab forgets its files."
+)
+NO_COPY = (
+    "Colab did not hand over your notebook, so the file lacks it. Run `submit()` again; if that "
+    "does not help, hand in the notebook as well (File, Download, Download .ipynb)."
+)
 
 put_course_first()
 unsaved.watch()
@@ -238,13 +246,17 @@ def _submit() -> object:
 
 
 def _pack(desk: Desk) -> SubmissionView:
-    packed = pack_submission(desk.course, responses_folder(desk.course.root))
+    on_screen = colab_notebook()
+    packed = pack_submission(desk.course, responses_folder(desk.course.root), on_screen)
     entries = desk.entries()
     unanswered = [
         question
         for question in desk.course.questions.values()
         if not answered(entries[question.chapter].get(question.id))
     ]
+    warning = ""
+    if on_screen is None:
+        warning = NO_COPY if in_colab() else unsaved.unsaved_work(packed.folder)
     return SubmissionView(
-        packed, unanswered, len(desk.course.questions), unsaved.changed_notebook(packed.path.parent)
+        packed, unanswered, len(desk.course.questions), warning, COLAB if in_colab() else ""
     )

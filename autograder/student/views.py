@@ -177,29 +177,37 @@ class ProgressView(_View):
 
 
 class SubmissionView(_View):
-    """What was packed and what is unanswered."""
+    """What was packed, what is unanswered, and above all what the file may lack.
+
+    ``warning`` says what is not saved, ``advice`` what else to do with the file.
+    """
 
     def __init__(
-        self, packed: Packed, unanswered: list[Question], count: int, unsaved: str | None = None
+        self,
+        packed: Packed,
+        unanswered: list[Question],
+        count: int,
+        warning: str = "",
+        advice: str = "",
     ) -> None:
         self.packed = packed
         self.unanswered = unanswered
         self.count = count
-        self.unsaved = unsaved
+        self.warning = warning
+        self.advice = advice
 
     def lines(self) -> list[str]:
         notebooks = [name for name in self.packed.names if name.endswith(".ipynb")]
-        lines = [
+        held = (
             f"**{self.packed.path.name}** holds {plural(len(notebooks), 'notebook')} "
-            f"({', '.join(notebooks)}) and your responses, as last saved. Hand in this file.",
-            "",
-        ]
-        if self.unsaved:
-            lines += [
-                f"**Not saved yet:** {self.unsaved} differs from what you ran last. "
-                "Save it and call `submit()` again.",
-                "",
-            ]
+            f"({', '.join(notebooks)}) and your responses, as last saved."
+        )
+        if self.warning:
+            lines = [f"**Not ready to hand in:** {self.warning}", "", held, ""]
+        else:
+            lines = [f"{held} Hand in this file.", ""]
+        if self.advice:
+            lines += [self.advice, ""]
         if not self.unanswered:
             return [*lines, f"All {self.count} questions are answered."]
         ids = ", ".join(question.id for question in self.unanswered)

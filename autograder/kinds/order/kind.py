@@ -52,6 +52,9 @@ class OrderKind(ChoiceKind[Order, OrderAnswer]):
     def lines(self, question: Order, response: object) -> list[str]:
         return given.lines(question, given.chosen(question, response) or [])
 
+    def respond_line(self, question: Order, response: object) -> str:
+        return given.respond_line(question, given.chosen(question, response))
+
     def widget(
         self, desk: Desk, question: Order, value: object = ..., mark: Mark | None = None
     ) -> OrderWidget:

@@ -53,6 +53,13 @@ def lines(question: Order, response: list[str] | None) -> list[str]:
     return [
         *cards,
         "",
-        f'Answer with `ask("{question.id}").respond([...])`: '
-        "the cards' numbers, in the order you want.",
+        "Answer with a line of code: put the cards' numbers in the order you want.",
+        "",
+        f"`{respond_line(question, response)}`",
     ]
+
+
+def respond_line(question: Order, response: list[str] | None) -> str:
+    """A line of code that gives this order, by the cards' numbers; as dealt, if there is none."""
+    numbers = [question.start.index(card) + 1 for card in response or question.start]
+    return f'ask("{question.id}").respond({numbers})'

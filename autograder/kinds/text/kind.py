@@ -67,7 +67,10 @@ class TextKind(ChoiceKind[Text, TextAnswer]):
 
     def lines(self, question: Text, response: object) -> list[str]:
         kept = [f"> {line}" for line in str(response).splitlines()] if response else []
-        return [*kept, "", f'Answer with `ask("{question.id}").respond("""...""")`.']
+        return [*kept, "", f"Answer with a line of code: `{self.respond_line(question, None)}`"]
+
+    def respond_line(self, question: Text, response: object) -> str:
+        return f'ask("{question.id}").respond("""...""")'
 
     def widget(
         self, desk: Desk, question: Text, value: object = ..., mark: Mark | None = None

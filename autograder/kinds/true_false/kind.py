@@ -51,6 +51,9 @@ class TrueFalseKind(ChoiceKind[TrueFalse, TrueFalseAnswer]):
     def lines(self, question: TrueFalse, response: object) -> list[str]:
         return given.lines(question, given.chosen(question, response) or [])
 
+    def respond_line(self, question: TrueFalse, response: object) -> str:
+        return given.respond_line(question, given.chosen(question, response))
+
     def widget(
         self, desk: Desk, question: TrueFalse, value: object = ..., mark: Mark | None = None
     ) -> TrueFalseWidget:

@@ -54,5 +54,12 @@ def lines(question: TrueFalse, response: list[bool | None] | None) -> list[str]:
             )
         ),
         "",
-        f'Answer with `ask("{question.id}").respond([True, False, ...])`.',
+        "Answer with a line of code: put `True` or `False` for each `None` that you have decided.",
+        "",
+        f"`{respond_line(question, response)}`",
     ]
+
+
+def respond_line(question: TrueFalse, response: list[bool | None] | None) -> str:
+    """A line of code that gives this response, open where nothing was said."""
+    return f'ask("{question.id}").respond({list(response or [None] * len(question.statements))})'

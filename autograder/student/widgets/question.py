@@ -8,9 +8,11 @@ from autograder.course.questions import Question
 from autograder.errors import AutograderError
 from autograder.exchange.responses import Entry
 from autograder.kinds.mark import Mark
+from autograder.kinds.registry import kind_of
 from autograder.kinds.status import Status
 from autograder.reports.markdown import inline, markdown
 from autograder.student.desk import Desk, hints_open
+from autograder.student.frontend import in_vscode
 from autograder.student.receipts import RECEIPT, receipt
 from autograder.student.responses import attempts
 from autograder.student.views import number, plural
@@ -85,6 +87,9 @@ class QuestionWidget(CourseWidget):
     def receipt(self) -> dict[str, object] | None:
         response = self.desk.entry(self.question).get("response")
         words = f"Kept for {self.question.id}: {self.words(response)}"
+        if in_vscode():  # where the widget may be an error: this line is there nevertheless
+            line = kind_of(self.question).respond_line(self.question, response)
+            words += f" If there is nothing to click, answer in a cell: {line}"
         bundle: dict[str, object] = {
             "text/plain": words,
             # Hidden while the widget itself is drawn.
