@@ -11,6 +11,7 @@ from __future__ import annotations
 import importlib
 import inspect
 import tomllib
+from collections.abc import Callable
 from pathlib import Path
 
 from autograder.course.course import Course
@@ -35,7 +36,7 @@ def right_work_of(course: Course, question: Question) -> dict[str, object]:
     """
     typed = _typed(course)
     if question.name is not None and (course.root / FOLDER / f"{question.name}.py").is_file():
-        return _functions(course, question.name)
+        return {**right_functions(course.root, question.name)}
     return {text: text for text in typed.get(question.id, ())}
 
 
@@ -57,9 +58,16 @@ def unexpected_right_work(course: Course) -> list[str]:
     ]
 
 
-def _functions(course: Course, name: str) -> dict[str, object]:
+def right_functions(root: Path, name: str) -> dict[str, Callable[..., object]]:
+    """The variants of the function of this name; none if there is no such module.
+
+    Raises:
+        CourseError: if the module cannot be loaded.
+    """
+    if not (root / FOLDER / f"{name}.py").is_file():
+        return {}
     module = ".".join([*FOLDER.parts, name])
-    put_first(course.root, set(OWN))
+    put_first(root, set(OWN))
     try:
         loaded = importlib.import_module(module)
     except Exception as error:  # the course's own code may do anything

@@ -276,6 +276,18 @@ def _changes(
         ),
         ("whether, not how much", "it is returned whether there is something, not how much",
          _on_array(lambda x: x > 0)),
+        ("sorted, without repetitions", "each result stands only once, and they were sorted",
+         _on_array(_without_repetitions)),
+        ("only the first of each", "of each result only the first entry is returned",
+         lambda _, v: [entry[:1] for entry in v]),
+        ("only the last of each", "of each result only the last entry is returned",
+         lambda _, v: [entry[-1:] for entry in v]),
+        ("shares of the whole", "the results were divided by their sum", _on_array(_shares)),
+        ("shares of the whole, in percent", "the results were divided by their sum, in percent",
+         _on_array(lambda x: 100 * _shares(x))),
+        ("divided by the number", "the results were divided by their number",
+         _on_array(lambda x: x / len(x))),
+        ("inverse", "the inverse matrix is returned", _on_array(_inverse)),
         ("the sum", "the results were added up", _on_array(np.sum)),
         ("the mean", "the mean of the results is returned", _on_array(np.mean)),
         ("counts for entries", "it is returned how many there are, and not which", _counts),
@@ -287,6 +299,18 @@ def _changes(
     for relation in RELATIONS:
         diagnosis = Diagnosis(relation.name, relation.sentence)
         yield diagnosis, _deep(relation.change)
+    for digits in (1, 2, 3, 4):
+        words = f"the results were rounded to {digits} decimals; round only what you print"
+        yield told(f"rounded to {digits} decimals", words), _deep(_rounded_to(digits))
+    for place, word in enumerate(_PLACES[:2]):
+        words = f"the {word} quantity is in degrees, and its rows and columns with it"
+        yield told(f"matrix in degrees ({word})", words), _on_array(_matrix_in_degrees(place))
+        for quarter in (1, -1):
+            words = f"an angle is a quarter turn off (in the {word} result)"
+            yield (
+                told(f"a quarter turn off ({word} result)", words),
+                _at(place, _on_array(_turned_by(quarter * np.pi / 2))),
+            )
     for place in range(max((len(cases[i]["args"]) for i in asked), default=0)):
         words = "the entries themselves are returned, not where they stand"
         yield told("entries for indices", words), _entries(place, None)
@@ -410,6 +434,43 @@ def _diagonal(value: Value) -> Value:
 
 def _only_diagonal(value: Value) -> Value:
     return np.diag(_diagonal(value))
+
+
+def _without_repetitions(value: Value) -> Value:
+    if value.ndim != 1:
+        raise _NotForThis
+    return np.unique(value)
+
+
+def _shares(value: Value) -> Value:
+    whole = value.sum()
+    return value / (whole if whole else 1)
+
+
+def _inverse(value: Value) -> Value:
+    if value.ndim != 2 or len(value) < 2:
+        raise _NotForThis
+    return np.linalg.inv(value)
+
+
+def _rounded_to(digits: int) -> Callable[[Value], Value]:
+    return lambda value: np.round(value, digits)
+
+
+def _matrix_in_degrees(place: int) -> Callable[[Value], Value]:
+    def changed(value: Value) -> Value:
+        if value.ndim != 2 or value.shape[0] != value.shape[1] or place >= len(value) > 1:
+            raise _NotForThis
+        scale = np.ones(len(value))
+        scale[place] = 180 / np.pi
+        return value * np.outer(scale, scale)
+
+    return changed
+
+
+def _turned_by(angle: float) -> Callable[[Value], Value]:
+    """An angle turned by another one, in (-pi, pi]."""
+    return lambda value: np.pi - (np.pi - value - angle) % (2 * np.pi)
 
 
 def _counts(_: Values, value: Value) -> Value:

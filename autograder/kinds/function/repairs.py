@@ -39,6 +39,32 @@ def repairs() -> Iterator[tuple[str, str, Repair]]:
                 _in_each(_at(place, repair)),
             )
     yield from _UNUSUAL
+    yield from _pairs()
+
+
+def _pairs() -> Iterator[tuple[str, str, Repair]]:
+    """Two of them together: a form that is wrong for the whole, and something in the results."""
+    for outer, said, first in _OF_WHOLES[:4]:
+        for inner, words, then in _OF_RESULTS:
+            name, words = f"{outer}, and {inner}", f"{said}, and {words}"
+            yield name, words, _one_after_the_other(first, then)
+            for place, word in enumerate(_PLACES[:2]):
+                yield (
+                    f"{name} ({word} result)",
+                    f"{words}, in the {word} result",
+                    _one_after_the_other(first, _at(place, then)),
+                )
+    for one, said, first in _OF_RESULTS:
+        for two, words, then in _OF_RESULTS:
+            yield (
+                f"{one} (first result), and {two} (second result)",
+                f"{said}, in the first result, and {words}, in the second",
+                _one_after_the_other(_at(0, first), _at(1, then)),
+            )
+
+
+def _one_after_the_other(first: Repair, then: Repair) -> Repair:
+    return lambda case, right, given: then(case, right, first(case, right, given))
 
 
 def _other_order(_: Case, right: object, given: object) -> object:
@@ -136,6 +162,14 @@ def _of_count(_: Case, right: Value, given: object) -> object:
     return right
 
 
+def _of_pairs(_: Case, right: Value, given: Value) -> Value:
+    """The first of each entry, where something stands beside what is asked for."""
+    rows = np.asarray(given)
+    if rows.ndim != 2 or rows.shape[1] < 2 or np.asarray(right).ndim != 1:
+        raise NotForThis
+    return _like(given, rows[:, 0])
+
+
 def _at(place: int, repair: Repair) -> Repair:
     def repaired(case: Case, right: Value, given: object) -> object:
         if not (isinstance(given, list) and place < len(given) == len(right) <= len(_PLACES)):
@@ -172,6 +206,7 @@ _OF_RESULTS: tuple[tuple[str, str, Repair], ...] = (
     ("one more", "the count begins or ends one too late", _less_one),
     ("degrees", "an angle is in degrees; radians are asked for", _radians),
     ("sign turned", "the sign is turned round", _negative),
+    ("more than asked for", "something stands beside each entry that is not asked for", _of_pairs),
 )
 _UNUSUAL: tuple[tuple[str, str, Repair], ...] = (
     *_OF_RESULTS[:2],

@@ -200,7 +200,7 @@ class _Interrupted:
 def _own_clock() -> float:
     """A clock that stands still while this thread waits for a processor, where Linux tells."""
     try:
-        waited = int(Path("/proc/thread-self/schedstat").read_text().split()[1])
+        waited = int(Path("/proc/thread-self/schedstat").read_text(encoding="utf-8").split()[1])
     except (OSError, IndexError, ValueError):
         waited = 0
     return time.monotonic() - waited / 1e9
