@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from autograder.course.loading import load_object
+from autograder.exchange.messages import Value
 from autograder.kinds.answer import Alternative
 from autograder.kinds.code import CodeKind
 from autograder.kinds.drawn import Drawn
@@ -21,7 +22,6 @@ from autograder.kinds.function.question import Function
 from autograder.kinds.function.stub import function_stub, reference_source
 from autograder.kinds.function.take_snapshot import take_snapshot
 from autograder.kinds.function.trial import FunctionTrial
-from autograder.kinds.function.values import Value
 from autograder.kinds.mark import Mark
 from autograder.marking.mutants.mutant import Trial
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import builtins
 
 from autograder.errors import UsageError
+from autograder.exchange.messages import Value
 from autograder.kinds.expression.question import Expression
-from autograder.kinds.formula import Term
 from autograder.kinds.typed import parse, value_of
 
 _OF_SYMPY = (
@@ -60,7 +60,7 @@ def read_expression(question: Expression, text: str) -> object:
     functions |= {"arcsin": sp.asin, "arccos": sp.acos}
     tree = parse(text, functions)
 
-    def name(id: str) -> Term:
+    def name(id: str) -> Value:
         if id in symbols:
             return symbols[id]
         if id in constants:

@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping
 
 import numpy as np
 
-from autograder.kinds.formula import Term
+from autograder.exchange.messages import Value
 
 _FUNCTIONS: dict[str, Callable[..., object]] = {
     "Abs": np.abs,
@@ -37,7 +37,7 @@ class NotInTable(Exception):
     """Part of the expression is none of those that are known here."""
 
 
-def values_at(expression: Term, points: Mapping[str, Term]) -> object:
+def values_at(expression: Value, points: Mapping[str, Value]) -> object:
     """Evaluate the expression with each symbol, by its name, replaced by its array.
 
     Raises:
@@ -47,7 +47,7 @@ def values_at(expression: Term, points: Mapping[str, Term]) -> object:
 
     left = _MAX_NODES
 
-    def visit(node: Term) -> Term:
+    def visit(node: Value) -> Value:
         nonlocal left
         left -= 1
         if left < 0:

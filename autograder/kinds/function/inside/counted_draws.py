@@ -10,7 +10,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from autograder.kinds.function.values import Value
+from autograder.exchange.messages import Value
 
 
 class CountedDraws(np.random.Generator):

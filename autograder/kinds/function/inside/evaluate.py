@@ -6,9 +6,8 @@ from types import GeneratorType
 
 import numpy as np
 
-from autograder.exchange.messages import Message
+from autograder.exchange.messages import Message, Value
 from autograder.kinds.function.inside.counted_draws import CountedDraws
-from autograder.kinds.function.values import Value
 from autograder.sandbox.inside.exceptions import tell
 from autograder.sandbox.inside.plain_data import Unusable, public_name, to_plain
 
