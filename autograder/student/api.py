@@ -16,7 +16,7 @@ from autograder.student.desk import Desk
 from autograder.student.drop import drop
 from autograder.student.frontend import colab_notebook, in_colab, widgets_wanted
 from autograder.student.identity import become, student_of
-from autograder.student.live import Live
+from autograder.student.live import Live, Shown, View
 from autograder.student.marker_client import marker_for
 from autograder.student.responses import answered, responses_folder
 from autograder.student.submission import pack_submission
@@ -151,7 +151,7 @@ def _try(action: Callable[[], object]) -> object:
         return None
 
 
-def _shown(view: object, widget: Callable[[], object]) -> object:
+def _shown(view: View, widget: Callable[[], Shown]) -> object:
     """The view itself, or a widget where one can be drawn; it is made only to be drawn."""
     return Live(view, widget) if widgets_wanted() else view
 
@@ -198,7 +198,7 @@ def _me(name: object) -> object:
         return None
     desk = _desk()
 
-    def widget() -> object:
+    def widget() -> Shown:
         from autograder.student.widgets.identity import IdentityWidget
 
         return IdentityWidget(desk)
@@ -220,7 +220,7 @@ def _predict(id: str, value: object) -> object:
         if before is not None and prediction.read(value) != standing:
             print(f"You predicted {prediction.in_words(standing)} before; that stands.")
 
-    def widget() -> object:
+    def widget() -> Shown:
         from autograder.student.widgets.prediction import PredictionWidget
 
         return PredictionWidget(desk, prediction)
@@ -231,7 +231,7 @@ def _predict(id: str, value: object) -> object:
 def _progress() -> object:
     desk = _desk()
 
-    def widget() -> object:
+    def widget() -> Shown:
         from autograder.student.widgets.progress import ProgressWidget
 
         return ProgressWidget(desk)
@@ -243,7 +243,7 @@ def _submit(to: Path | None) -> object:
     desk = _desk()
     view = _pack(desk, to)
 
-    def widget() -> object:
+    def widget() -> Shown:
         from autograder.student.widgets.submission import SubmissionWidget
 
         return SubmissionWidget(desk, view, lambda: _pack(desk, to))
