@@ -15,12 +15,12 @@ import os
 import secrets
 import sys
 from dataclasses import replace
-from typing import Any
 
 from autograder.course import load_course
 from autograder.errors import AutograderError
 from autograder.exchange import wire
 from autograder.exchange.identity import VARIANTS
+from autograder.exchange.messages import Message
 from autograder.marking.marker import Marker
 
 
@@ -41,7 +41,7 @@ def main() -> None:
         replies.flush()
 
 
-def _answer(marker: Marker, message: dict[str, Any]) -> dict[str, object]:
+def _answer(marker: Marker, message: Message) -> Message:
     id = message["question"]
     try:
         if message["do"] == "reading":

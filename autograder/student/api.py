@@ -6,7 +6,6 @@ from collections import namedtuple
 from collections.abc import Callable
 from functools import lru_cache
 from pathlib import Path
-from typing import Any
 
 from autograder.course import Course, load_course
 from autograder.errors import AutograderError, UsageError
@@ -14,9 +13,10 @@ from autograder.kinds.registry import kind_of
 from autograder.student import unsaved
 from autograder.student.course_path import course_of_notebook, put_course_first
 from autograder.student.desk import Desk
-from autograder.student.frontend import widgets_wanted
+from autograder.student.drop import drop
+from autograder.student.frontend import colab_notebook, in_colab, widgets_wanted
 from autograder.student.identity import become, student_of
-from autograder.student.live import Live
+from autograder.student.live import Live, Shown, View
 from autograder.student.marker_client import marker_for
 from autograder.student.responses import answered, responses_folder
 from autograder.student.submission import pack_submission
@@ -31,6 +31,14 @@ from autograder.student.views import (
 )
 
 MISSING: object = object()
+COLAB = (
+    "Download it from the panel of files (the folder on the left) before you close the page: "
+    "Colab forgets its files."
+)
+NO_COPY = (
+    "Colab did not hand over your notebook, so the file lacks it. Run `submit()` again; if that "
+    "does not help, hand in the notebook as well (File, Download, Download .ipynb)."
+)
 
 put_course_first()
 unsaved.watch()
@@ -57,7 +65,7 @@ def _desk() -> Desk:
 class Asked(QuestionView):
     """A question on show; ``respond`` answers it."""
 
-    def respond(self, response: object) -> Any:
+    def respond(self, response: object) -> object:
         """Record a response and mark it.
 
         A true/false question takes a list of True, False or None; an order question a list of
@@ -66,7 +74,7 @@ class Asked(QuestionView):
         return _try(lambda: _respond(self.question.id, response))
 
 
-def ask(id: str) -> Any:
+def ask(id: str) -> object:
     """Show a question.
 
     Args:
@@ -75,7 +83,7 @@ def ask(id: str) -> Any:
     return _try(lambda: _ask(id))
 
 
-def check(id: str, response: object = MISSING) -> Any:
+def check(id: str, response: object = MISSING) -> object:
     """Mark a response: a value, an expression or a function, as the question asks.
 
     For a true/false or an order question, leave the response out: what was answered there is
@@ -92,7 +100,7 @@ def me(name: object = MISSING) -> object:
     return _try(lambda: _me(name))
 
 
-def numbers(story: str) -> Any:
+def numbers(story: str) -> object:
     """Return the numbers of a story, by name and in order: ``N, w, p = numbers("cloud")``.
 
     They are yours where everybody has their own, and else the sheet's.
@@ -100,7 +108,7 @@ def numbers(story: str) -> Any:
     return _try(lambda: _numbers(story))
 
 
-def predict(id: str, value: object = MISSING) -> Any:
+def predict(id: str, value: object = MISSING) -> object:
     """Ask for a prediction, or give one; it is kept and has no points. The first one stands.
 
     Args:
@@ -111,7 +119,7 @@ def predict(id: str, value: object = MISSING) -> Any:
     return _try(lambda: _predict(id, value))
 
 
-def predicted(id: str) -> Any:
+def predicted(id: str) -> object:
     """Return what was predicted, for a picture to draw beside the truth: None if nothing was.
 
     Args:
@@ -130,12 +138,17 @@ def progress() -> object:
     return _try(lambda: _progress())
 
 
-def submit() -> object:
-    """Pack the notebooks and responses into ``submission.zip`` and say what is unanswered."""
-    return _try(lambda: _submit())
+def submit(to: str | Path | None = None) -> object:
+    """Pack the notebooks and responses into ``submission.zip`` and say what is unanswered.
+
+    Args:
+        to: the drop folder of your instructor, if there is one: the file is handed in there too,
+            unless something that you ran is not saved.
+    """
+    return _try(lambda: _submit(Path(to) if to is not None else None))
 
 
-def _try(action: Any) -> object:
+def _try(action: Callable[[], object]) -> object:
     """Say what is wrong in one sentence: a traceback would bury it."""
     try:
         return action()
@@ -144,12 +157,12 @@ def _try(action: Any) -> object:
         return None
 
 
-def _shown(view: object, widget: Callable[[], object]) -> Any:
+def _shown(view: View, widget: Callable[[], Shown]) -> object:
     """The view itself, or a widget where one can be drawn; it is made only to be drawn."""
     return Live(view, widget) if widgets_wanted() else view
 
 
-def _ask(id: str) -> Any:
+def _ask(id: str) -> object:
     desk = _desk()
     question = desk.course.question(id)
     marker_for(desk.course)  # starts marking in the background while the student reads
@@ -191,7 +204,7 @@ def _me(name: object) -> object:
         return None
     desk = _desk()
 
-    def widget() -> Any:
+    def widget() -> Shown:
         from autograder.student.widgets.identity import IdentityWidget
 
         return IdentityWidget(desk)
@@ -199,7 +212,7 @@ def _me(name: object) -> object:
     return _shown(IdentityView(desk.student), widget)
 
 
-def _numbers(story: str) -> Any:
+def _numbers(story: str) -> tuple[int | float, ...]:
     given = _desk().course.story(story)
     return namedtuple("Numbers", given)(**given)
 
@@ -213,7 +226,7 @@ def _predict(id: str, value: object) -> object:
         if before is not None and prediction.read(value) != standing:
             print(f"You predicted {prediction.in_words(standing)} before; that stands.")
 
-    def widget() -> Any:
+    def widget() -> Shown:
         from autograder.student.widgets.prediction import PredictionWidget
 
         return PredictionWidget(desk, prediction)
@@ -227,7 +240,7 @@ def _practise() -> object:
     desk = _desk()
     practice = Practice(desk)
 
-    def widget() -> Any:
+    def widget() -> Shown:
         from autograder.student.widgets.practice import PracticeWidget
 
         return PracticeWidget(desk, practice)
@@ -235,10 +248,10 @@ def _practise() -> object:
     return _shown(PracticeView(summary(practice.placed())), widget)
 
 
-def _progress() -> object:
+def _progress() -> Shown:
     desk = _desk()
 
-    def widget() -> Any:
+    def widget() -> Shown:
         from autograder.student.widgets.progress import ProgressWidget
 
         return ProgressWidget(desk)
@@ -246,26 +259,34 @@ def _progress() -> object:
     return _shown(ProgressView(desk.course, desk.entries()), widget)
 
 
-def _submit() -> object:
+def _submit(to: Path | None) -> object:
     desk = _desk()
-    view = _pack(desk)
+    view = _pack(desk, to)
 
-    def widget() -> Any:
+    def widget() -> Shown:
         from autograder.student.widgets.submission import SubmissionWidget
 
-        return SubmissionWidget(desk, view, lambda: _pack(desk))
+        return SubmissionWidget(desk, view, lambda: _pack(desk, to))
 
     return _shown(view, widget)
 
 
-def _pack(desk: Desk) -> SubmissionView:
-    packed = pack_submission(desk.course, responses_folder(desk.course.root))
+def _pack(desk: Desk, to: Path | None) -> SubmissionView:
+    on_screen = colab_notebook()
+    packed = pack_submission(desk.course, responses_folder(desk.course.root), on_screen)
     entries = desk.entries()
     unanswered = [
         question
         for question in desk.course.questions.values()
         if not answered(entries[question.chapter].get(question.id))
     ]
-    return SubmissionView(
-        packed, unanswered, len(desk.course.questions), unsaved.changed_notebook(packed.path.parent)
-    )
+    warning = ""
+    if on_screen is None:
+        warning = NO_COPY if in_colab() else unsaved.unsaved_work(packed.folder)
+    advice, taken = COLAB if in_colab() else "", False
+    if to is not None and warning:
+        advice = f"Nothing was put into {to}."
+    elif to is not None:
+        advice = f"Handed in as {drop(packed.path, to)}; the newest counts."
+        taken = True
+    return SubmissionView(packed, unanswered, len(desk.course.questions), warning, advice, taken)

@@ -10,13 +10,14 @@ from weakref import WeakSet
 from autograder.course import Course
 from autograder.course.predictions import Guess, Prediction
 from autograder.course.questions import Question
+from autograder.exchange.responses import Entry
 from autograder.kinds.mark import Mark, not_attempted, stopped
 from autograder.kinds.registry import kind_of
 from autograder.sandbox.inside.evaluate import describe, evaluate
 from autograder.student.frontend import running_shell
 from autograder.student.marker_client import marker_for
 from autograder.student.receipts import rescued_entries
-from autograder.student.responses import Entry, Responses, attempts, responses_folder
+from autograder.student.responses import Responses, attempts, responses_folder
 
 
 class Desk:
@@ -138,7 +139,7 @@ class Desk:
         value: Guess | None = entry.get("response")
         return value if prediction.fits(value) else None
 
-    def predict(self, prediction: Prediction, value: Any) -> Guess:
+    def predict(self, prediction: Prediction, value: object) -> Guess:
         """Keep a prediction, and return the one that stands: the first.
 
         Raises:

@@ -7,12 +7,12 @@ import os
 import subprocess
 import sys
 import threading
-from typing import Any
 
 from autograder.course import Course, load_course
 from autograder.errors import AutograderError, CourseError
 from autograder.exchange import wire
 from autograder.exchange.identity import VARIANTS
+from autograder.exchange.messages import Message
 from autograder.kinds.mark import Mark
 from autograder.marking.snapshots import SNAPSHOTS, SnapshotMarker
 
@@ -66,7 +66,7 @@ class BundleMarker:
         """Whether a response to a question can be marked, or only recorded."""
         return self._is_practice(id) or self._snapshots.can_mark(id)
 
-    def probe(self, id: str) -> dict[str, Any]:
+    def probe(self, id: str) -> Message:
         """What the kernel has to evaluate for a question."""
         return self._for(id).probe(id)
 
@@ -120,34 +120,32 @@ class MarkerClient:
         """Whether a response to a question can be marked, or only recorded."""
         return True
 
-    def probe(self, id: str, variant: int | None = None) -> dict[str, Any]:
+    def probe(self, id: str, variant: int | None = None) -> Message:
         """What the kernel has to evaluate for a question, or for one of its variants."""
-        probe: dict[str, Any] = self._ask({"do": "probe", "question": id, "variant": variant})[
-            "probe"
-        ]
+        probe: Message = self._ask({"do": "probe", "question": id, "variant": variant})["probe"]
         return probe
 
     def mark(
-        self, id: str, response: Any, understood: str = "", variant: int | None = None
+        self, id: str, response: object, understood: str = "", variant: int | None = None
     ) -> Mark:
         """The mark of what came out."""
         said = {"response": response, "understood": understood, "variant": variant}
         reply = self._ask({"do": "mark", "question": id, **said})
         return Mark.from_dict(reply["mark"])
 
-    def reading(self, id: str, seed: int) -> dict[str, Any]:
+    def reading(self, id: str, seed: int) -> Message:
         """Functions to read, as `autograder.kinds.reading.Reading.shown` has them."""
-        shown: dict[str, Any] = self._ask({"do": "reading", "question": id, "seed": seed})["shown"]
+        shown: Message = self._ask({"do": "reading", "question": id, "seed": seed})["shown"]
         return shown
 
-    def mark_reading(self, id: str, seed: int, chosen: int, returned: int) -> dict[str, Any]:
+    def mark_reading(self, id: str, seed: int, chosen: int, returned: int) -> Message:
         """What is said of the answers to them, as `autograder.kinds.reading.Reading.mark` does."""
         said = {"chosen": chosen, "returned": returned}
         message = {"do": "mark_reading", "question": id, "seed": seed, **said}
-        verdict: dict[str, Any] = self._ask(message)["verdict"]
+        verdict: Message = self._ask(message)["verdict"]
         return verdict
 
-    def _ask(self, message: dict[str, Any]) -> dict[str, Any]:
+    def _ask(self, message: Message) -> Message:
         stdin, stdout = self._process.stdin, self._process.stdout
         assert stdin is not None
         assert stdout is not None
@@ -187,10 +185,10 @@ class VariantMarker:
         """Whether a response to a question can be marked, or only recorded."""
         return True
 
-    def probe(self, id: str) -> dict[str, Any]:
+    def probe(self, id: str) -> Message:
         """What the kernel has to evaluate for the question."""
         return self._client.probe(id, self._variant)
 
-    def mark(self, id: str, response: Any, understood: str = "") -> Mark:
+    def mark(self, id: str, response: object, understood: str = "") -> Mark:
         """The mark of what came out."""
         return self._client.mark(id, response, understood, self._variant)

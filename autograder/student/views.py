@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from autograder.course import Course
 from autograder.course.predictions import Guess, Prediction
 from autograder.course.questions import Question
@@ -32,7 +30,7 @@ class _View:
         """The Markdown, line by line."""
         raise NotImplementedError
 
-    def receipt(self) -> dict[str, Any] | None:
+    def receipt(self) -> dict[str, object] | None:
         """What the grader may read from the saved output."""
         return None
 
@@ -73,7 +71,7 @@ class QuestionView(_View):
         lines += kind_of(question).lines(question, self.response)
         return [*lines, "", self.foot] if self.foot else lines
 
-    def receipt(self) -> dict[str, Any] | None:
+    def receipt(self) -> dict[str, object] | None:
         if self.response is None:
             return None
         return receipt(self.question.id, self.response)
@@ -119,7 +117,7 @@ class PredictionView(_View):
         call = f'`predict("{prediction.id}", {example})`'
         return [*lines, *[""] * bool(prediction.choices), f"Not predicted. To predict, run {call}."]
 
-    def receipt(self) -> dict[str, Any] | None:
+    def receipt(self) -> dict[str, object] | None:
         return None if self.value is None else receipt(self.prediction.id, self.value)
 
 
@@ -154,7 +152,7 @@ class MarkView(_View):
             ]
         return lines
 
-    def receipt(self) -> dict[str, Any] | None:
+    def receipt(self) -> dict[str, object] | None:
         if self.response is None:
             return None
         return receipt(self.question.id, self.response)
@@ -189,29 +187,40 @@ class ProgressView(_View):
 
 
 class SubmissionView(_View):
-    """What was packed and what is unanswered."""
+    """What was packed, what is unanswered, and above all what the file may lack.
+
+    ``warning`` says what is not saved, ``advice`` what else to do with the file or what was done;
+    ``taken`` is true if a drop folder has it already.
+    """
 
     def __init__(
-        self, packed: Packed, unanswered: list[Question], count: int, unsaved: str | None = None
+        self,
+        packed: Packed,
+        unanswered: list[Question],
+        count: int,
+        warning: str = "",
+        advice: str = "",
+        taken: bool = False,
     ) -> None:
         self.packed = packed
         self.unanswered = unanswered
         self.count = count
-        self.unsaved = unsaved
+        self.warning = warning
+        self.advice = advice
+        self.taken = taken
 
     def lines(self) -> list[str]:
         notebooks = [name for name in self.packed.names if name.endswith(".ipynb")]
-        lines = [
+        held = (
             f"**{self.packed.path.name}** holds {plural(len(notebooks), 'notebook')} "
-            f"({', '.join(notebooks)}) and your responses, as last saved. Hand in this file.",
-            "",
-        ]
-        if self.unsaved:
-            lines += [
-                f"**Not saved yet:** {self.unsaved} differs from what you ran last. "
-                "Save it and call `submit()` again.",
-                "",
-            ]
+            f"({', '.join(notebooks)}) and your responses, as last saved."
+        )
+        if self.warning:
+            lines = [f"**Not ready to hand in:** {self.warning}", "", held, ""]
+        else:
+            lines = [held if self.taken else f"{held} Hand in this file.", ""]
+        if self.advice:
+            lines += [self.advice, ""]
         if not self.unanswered:
             return [*lines, f"All {self.count} questions are answered."]
         ids = ", ".join(question.id for question in self.unanswered)

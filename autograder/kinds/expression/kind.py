@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from autograder.errors import UsageError
+from autograder.exchange.messages import Message
 from autograder.kinds.answer import Alternative
 from autograder.kinds.code import CodeKind
 from autograder.kinds.drawn import Drawn
@@ -25,6 +26,10 @@ from autograder.kinds.formula import evaluate_formula
 from autograder.kinds.mark import Mark
 from autograder.kinds.typed import assign_if_open
 from autograder.marking.mutants.mutant import Trial
+
+if TYPE_CHECKING:
+    from autograder.kinds.expression.widget import ExpressionWidget
+    from autograder.student.desk import Desk
 
 
 class ExpressionKind(CodeKind[Expression, ExpressionAnswer]):
@@ -96,10 +101,12 @@ class ExpressionKind(CodeKind[Expression, ExpressionAnswer]):
         symbols = [f"- `{name}`: {meaning}" for name, meaning in question.symbols.items()]
         return [*symbols, "", *super().lines(question, response)]
 
-    def widget(self, desk: Any, question: Expression, *checked: Any) -> Any:
+    def widget(
+        self, desk: Desk, question: Expression, value: object = ..., mark: Mark | None = None
+    ) -> ExpressionWidget:
         from autograder.kinds.expression.widget import ExpressionWidget
 
-        return ExpressionWidget(desk, question, *checked)
+        return ExpressionWidget(desk, question, value, mark)
 
     def more_heading(self, question: Expression) -> list[str]:
         rows = [f"| `{name}` | {meaning} |" for name, meaning in question.symbols.items()]
@@ -134,7 +141,7 @@ class ExpressionKind(CodeKind[Expression, ExpressionAnswer]):
 
     def take_snapshot(
         self, question: Expression, answer: ExpressionAnswer, drawn: Drawn, again: Drawn
-    ) -> tuple[dict[str, Any], list[str]]:
+    ) -> tuple[Message, list[str]]:
         return examples.take_snapshot(answer, drawn.expected), []
 
     def snapshot_probe(

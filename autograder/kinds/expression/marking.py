@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import zlib
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from autograder.exchange.messages import Message
 from autograder.kinds.drawn import NOTHING_AROUND, Around
 from autograder.kinds.expression.answer import ExpressionAlternative, ExpressionAnswer
 from autograder.kinds.expression.question import Expression
@@ -39,7 +39,7 @@ def mark_expression(
     question: Expression,
     answer: ExpressionAnswer,
     points: Points,
-    values: Any,
+    values: object,
     around: Around = NOTHING_AROUND,
 ) -> Mark:
     """The first alternative with the same values decides.
@@ -54,7 +54,7 @@ def mark_expression(
         marks = [mark_expression(question, answer, points, row, around) for row in values]
         return min(marks, key=lambda mark: mark.credit)
     count = len(next(iter(points.values())))
-    known: dict[str, Any] = {"explanation": answer.explanation}
+    known: Message = {"explanation": answer.explanation}
     if not (
         isinstance(values, np.ndarray) and values.shape == (count,) and values.dtype.kind in "fc"
     ):
@@ -120,7 +120,7 @@ def matches(
     return same_values(expected, values, period)
 
 
-def same_values(expected: NDArray[Any], values: NDArray[Any], period: float | None) -> bool:
+def same_values(expected: np.ndarray, values: np.ndarray, period: float | None) -> bool:
     """Whether values are the expected ones where those are defined, up to multiples of a period."""
     defined = np.isfinite(expected)
     if defined.sum() < len(expected) // 4:
@@ -133,7 +133,7 @@ def same_values(expected: NDArray[Any], values: NDArray[Any], period: float | No
     return bool(np.all(np.isfinite(turns))) and _same(expected, values - turns * period)
 
 
-def _same(expected: NDArray[Any], actual: NDArray[Any]) -> bool:
+def _same(expected: np.ndarray, actual: np.ndarray) -> bool:
     with np.errstate(all="ignore"):
         scale = np.maximum(np.abs(expected), 1e-3)
         return bool(np.all(np.abs(actual - expected) <= TOLERANCE * scale))

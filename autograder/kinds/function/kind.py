@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from autograder.course.loading import load_object
+from autograder.exchange.messages import Value
 from autograder.kinds.answer import Alternative
 from autograder.kinds.code import CodeKind
 from autograder.kinds.drawn import Drawn
@@ -25,6 +26,10 @@ from autograder.kinds.function.trial import FunctionTrial
 from autograder.kinds.mark import Mark
 from autograder.kinds.reading import Reading
 from autograder.marking.mutants.mutant import Trial
+
+if TYPE_CHECKING:
+    from autograder.kinds.function.widget import FunctionWidget
+    from autograder.student.desk import Desk
 
 
 class FunctionKind(CodeKind[Function, FunctionAnswer]):
@@ -53,7 +58,7 @@ class FunctionKind(CodeKind[Function, FunctionAnswer]):
         outcomes = response.get("outcomes")
         return mark_function(question, answer, drawn.expected, outcomes, drawn.tells)
 
-    def example(self, drawn: Drawn) -> tuple[dict[str, Any], Any] | None:
+    def example(self, drawn: Drawn) -> tuple[dict[str, Value], Value] | None:
         case, outcome = drawn.expected.cases[0], drawn.expected.outcomes[0]
         return (case, outcome["value"]) if case.get("public") and "value" in outcome else None
 
@@ -71,10 +76,12 @@ class FunctionKind(CodeKind[Function, FunctionAnswer]):
     def picture(self, answer: FunctionAnswer) -> str | None:
         return answer.picture
 
-    def widget(self, desk: Any, question: Function, *checked: Any) -> Any:
+    def widget(
+        self, desk: Desk, question: Function, value: object = ..., mark: Mark | None = None
+    ) -> FunctionWidget:
         from autograder.kinds.function.widget import FunctionWidget
 
-        return FunctionWidget(desk, question, *checked)
+        return FunctionWidget(desk, question, value, mark)
 
     def cells(self, question: Function, answer: FunctionAnswer, root: Path) -> tuple[str, str]:
         source = reference_source(answer, root)
@@ -125,18 +132,18 @@ class FunctionKind(CodeKind[Function, FunctionAnswer]):
 
     def take_snapshot(
         self, question: Function, answer: FunctionAnswer, drawn: Drawn, again: Drawn
-    ) -> tuple[dict[str, Any], list[str]]:
+    ) -> tuple[dict[str, Value], list[str]]:
         return take_snapshot(answer, drawn.expected, again.expected)
 
     def snapshot_probe(
-        self, question: Function, snapshot: dict[str, Any] | None
+        self, question: Function, snapshot: dict[str, Value] | None
     ) -> dict[str, object]:
         cases = snapshot["cases"] if snapshot else []
         sent = [{"args": case["args"], "kwargs": case.get("kwargs", {})} for case in cases]
         return {**super().snapshot_probe(question, snapshot), "cases": sent}
 
     def mark_snapshot(
-        self, question: Function, snapshot: dict[str, Any], response: dict[str, Any]
+        self, question: Function, snapshot: dict[str, Value], response: dict[str, Value]
     ) -> Mark:
         return examples.mark_snapshot(question, snapshot, response.get("outcomes", []))
 

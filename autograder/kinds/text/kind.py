@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
+from typing import TYPE_CHECKING
 
 from autograder.errors import UsageError
 from autograder.exchange.printable import printable
@@ -12,6 +12,10 @@ from autograder.kinds.mark import Mark, not_attempted
 from autograder.kinds.text import question as asked
 from autograder.kinds.text.answer import TextAnswer, check_text
 from autograder.kinds.text.question import Text
+
+if TYPE_CHECKING:
+    from autograder.kinds.text.widget import TextWidget
+    from autograder.student.desk import Desk
 
 
 class TextKind(ChoiceKind[Text, TextAnswer]):
@@ -63,9 +67,14 @@ class TextKind(ChoiceKind[Text, TextAnswer]):
 
     def lines(self, question: Text, response: object) -> list[str]:
         kept = [f"> {line}" for line in str(response).splitlines()] if response else []
-        return [*kept, "", f'Answer with `ask("{question.id}").respond("""...""")`.']
+        return [*kept, "", f"Answer with a line of code: `{self.respond_line(question, None)}`"]
 
-    def widget(self, desk: Any, question: Text, *checked: Any) -> Any:
+    def respond_line(self, question: Text, response: object) -> str:
+        return f'ask("{question.id}").respond("""...""")'
+
+    def widget(
+        self, desk: Desk, question: Text, value: object = ..., mark: Mark | None = None
+    ) -> TextWidget:
         from autograder.kinds.text.widget import TextWidget
 
         return TextWidget(desk, question)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
 
 from autograder.errors import UsageError
 from autograder.kinds.true_false.question import TrueFalse
@@ -21,11 +20,11 @@ class TrueFalseWidget(ChoiceWidget):
     _css = source("common.css", HERE / "widget.css")
     question: TrueFalse
 
-    def what_is_fixed(self) -> dict[str, Any]:
+    def what_is_fixed(self) -> dict[str, object]:
         statements = [inline(statement) for statement in self.question.statements]
         return {**super().what_is_fixed(), "statements": statements}
 
-    def do_choose(self, message: dict[str, Any]) -> dict[str, Any]:
+    def do_choose(self, message: dict[str, object]) -> dict[str, object]:
         """Keep the choice for one statement; the others stay as they are kept, by whomever."""
         at, said = message["statement"], message["said"]
         count = len(self.question.statements)

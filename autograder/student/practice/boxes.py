@@ -14,7 +14,8 @@ from pathlib import Path
 
 import numpy as np
 
-from autograder.student.responses import Entry, Responses
+from autograder.exchange.responses import Entry
+from autograder.student.responses import Responses
 
 FILE = "practice"
 BOXES = 5

@@ -8,11 +8,12 @@ from pathlib import Path
 from typing import Any
 
 from autograder.course.questions import Question
+from autograder.exchange.responses import Entry
 from autograder.kinds.mark import Mark
 from autograder.kinds.registry import kind_of
 from autograder.student.desk import Desk
 from autograder.student.marker_client import MarkerClient, VariantMarker, key_marker
-from autograder.student.responses import Entry, Responses
+from autograder.student.responses import Responses
 
 
 class PracticeDesk(Desk):

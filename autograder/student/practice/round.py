@@ -10,13 +10,14 @@ import numpy as np
 
 from autograder.course.questions import Question
 from autograder.errors import UsageError
+from autograder.exchange.responses import Entry
 from autograder.kinds.registry import kind_of
 from autograder.student.desk import Desk
 from autograder.student.marker_client import key_marker
 from autograder.student.practice.another import another_one, can_practise
 from autograder.student.practice.boxes import BOXES, SITS, Boxes, Card, draw
 from autograder.student.practice.desk import can_be_read
-from autograder.student.responses import Entry, attempts, responses_folder
+from autograder.student.responses import attempts, responses_folder
 from autograder.student.widgets.base import CourseWidget
 
 SECONDS = 600.0

@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Callable
 
 from autograder.course.questions import Question
 from autograder.errors import AutograderError
+from autograder.exchange.responses import Entry
 from autograder.kinds.mark import Mark
+from autograder.kinds.registry import kind_of
 from autograder.kinds.status import Status
 from autograder.reports.markdown import inline, markdown
 from autograder.student.desk import Desk, hints_open
+from autograder.student.frontend import in_vscode
 from autograder.student.receipts import RECEIPT, receipt
-from autograder.student.responses import Entry, attempts
+from autograder.student.responses import attempts
 from autograder.student.views import number, plural
 from autograder.student.widgets.base import CourseWidget, escaped
 
@@ -108,9 +111,12 @@ class QuestionWidget(CourseWidget):
             self._practised.close()
         super().close()
 
-    def receipt(self) -> dict[str, Any] | None:
+    def receipt(self) -> dict[str, object] | None:
         response = self.desk.entry(self.question).get("response")
         words = f"Kept for {self.question.id}: {self.words(response)}"
+        if in_vscode():  # where the widget may be an error: this line is there nevertheless
+            line = kind_of(self.question).respond_line(self.question, response)
+            words += f" If there is nothing to click, answer in a cell: {line}"
         bundle: dict[str, object] = {
             "text/plain": words,
             # Hidden while the widget itself is drawn.
@@ -124,7 +130,7 @@ class QuestionWidget(CourseWidget):
         """The response for people to read."""
         return "nothing yet." if response is None else str(response)
 
-    def remark(self, mark: Any) -> None:
+    def remark(self, mark: Callable[[], Mark]) -> None:
         """Run ``mark`` and show its result; a broken key is no reason not to show the question."""
         try:
             self.show_mark(mark())
