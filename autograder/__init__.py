@@ -4,7 +4,7 @@
 ``predicted`` gives to a picture; ``progress`` sums up, ``submit`` packs what is handed in.
 """
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from autograder.student.api import ask, check, me, predict, predicted, progress, submit
@@ -13,7 +13,7 @@ __version__ = "0.1.0"
 __all__ = ["ask", "check", "me", "predict", "predicted", "progress", "submit"]
 
 
-def __getattr__(name: str) -> Any:
+def __getattr__(name: str) -> object:
     """Load the notebook side only where a notebook asks for it: the grader starts faster."""
     if name in __all__:
         from autograder.student import api

@@ -38,7 +38,7 @@ class NothingAttempted:
 
     has_room, isolation = True, "nothing was run"
 
-    def __init__(self, marker: Marker, jobs: int, questions: Collection[str] | None, *more: Any):
+    def __init__(self, marker: Marker, jobs: int, questions: Collection[str] | None, *more: object):
         self._course, self._graded = marker.course, list[Graded]()
 
     def __enter__(self) -> NothingAttempted:

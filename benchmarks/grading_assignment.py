@@ -75,7 +75,7 @@ _CASES = dedent("""
 """).strip()
 
 
-def notebook(cells: list[dict[str, Any]]) -> str:
+def notebook(cells: list[dict[str, object]]) -> str:
     """The text of a notebook with these cells."""
     kernel = {"kernelspec": {"name": "python3", "display_name": "Python 3", "language": "python"}}
     return json.dumps({"cells": cells, "metadata": kernel, "nbformat": 4, "nbformat_minor": 5})

@@ -2,8 +2,7 @@
 
 import statistics
 import time
-from collections.abc import Callable
-from typing import Any
+from collections.abc import Callable, Mapping
 
 from benchmarks.report import OURS, Row
 
@@ -11,7 +10,7 @@ from benchmarks.report import OURS, Row
 def measure(
     group: str,
     task: str,
-    contenders: dict[str, Callable[[], Any]],
+    contenders: Mapping[str, Callable[[], object]],
     repetitions: int = 7,
     extra: dict[str, dict[str, float | str]] | None = None,
     items: dict[str, int] | None = None,
@@ -51,7 +50,7 @@ def measure(
     ]
 
 
-def _calls_per_turn(function: Callable[[], Any], shortest_turn: float = 5e-3) -> int:
+def _calls_per_turn(function: Callable[[], object], shortest_turn: float = 5e-3) -> int:
     """Call once to warm up, once more to see how many calls fill a measurable turn."""
     function()
     start = time.process_time()

@@ -18,7 +18,7 @@ import shutil
 import sys
 import textwrap
 import zipfile
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -53,7 +53,7 @@ class Work:
                 cell["source"] = f'ask("{match["id"]}")'
                 self.click(match["id"], ast.literal_eval(match["response"]), name)
 
-    def click(self, id: str, response: list[Any], notebook: str | None = None) -> None:
+    def click(self, id: str, response: Sequence[object], notebook: str | None = None) -> None:
         """Answer a true/false or an order question."""
         if notebook is None:
             notebook = self._place(id)[0]

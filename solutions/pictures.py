@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 
-def fitted_line(case: dict[str, Any], expected: Any, actual: Any) -> dict[str, Any] | None:
+def fitted_line(case: dict[str, Any], expected: Any, actual: Any) -> dict[str, object] | None:
     """Describe the points of a case, the line that fits best and the line that was returned.
 
     Returns None if `actual` is no line, a pair of finite numbers (r, alpha).

@@ -127,7 +127,7 @@ def write(built: list[Built]) -> list[Path]:
     return [entry.path for entry in changed]
 
 
-def _assemble(course: Course, master: Master, solved: bool) -> Any:
+def _assemble(course: Course, master: Master, solved: bool) -> object:
     """The notebook's cells, each with an id that stays the same when others come or go."""
     notebook = new_notebook(metadata=_KERNEL)
     taken: Counter[str] = Counter()
@@ -195,7 +195,7 @@ def _execute(notebook: Any, course: Course, stem: str) -> None:
             cell.outputs = [kept for output in cell.outputs if (kept := _without_images(output))]
 
 
-def _without_images(output: Any) -> Any:
+def _without_images(output: Any) -> object:
     """The output without pictures, which change with every version of Matplotlib.
 
     What stands beside a picture as text stays: nbval compares that.
@@ -209,7 +209,7 @@ def _without_images(output: Any) -> Any:
     return output
 
 
-def _written(course: Course, path: Path, notebook: Any) -> Built:
+def _written(course: Course, path: Path, notebook: object) -> Built:
     nbformat.validate(notebook)
     return Built(course.root / path, nbformat.writes(notebook, version=4) + "\n")
 

@@ -33,7 +33,7 @@ class Executed:
             known = json.loads(self._path.read_text(encoding="utf-8"))
         except (OSError, ValueError):
             known = {}
-        self._known: dict[str, Any] = known if isinstance(known, dict) else {}
+        self._known: dict[str, object] = known if isinstance(known, dict) else {}
 
     def take_outputs(self, notebook: Any, chapter: Chapter | None, stem: str, path: Path) -> bool:
         """Put the outputs on disk into a notebook, if a run would give the same; says whether."""
@@ -49,7 +49,7 @@ class Executed:
             cell.outputs, cell.execution_count = old.outputs, old.execution_count
         return True
 
-    def remember(self, notebook: Any, chapter: Chapter | None, stem: str, text: str) -> None:
+    def remember(self, notebook: object, chapter: Chapter | None, stem: str, text: str) -> None:
         """Note that a notebook has been run, and what came of it."""
         self._known[stem] = self._entry(notebook, chapter, text)
         self._path.parent.mkdir(exist_ok=True)

@@ -7,7 +7,6 @@ import json
 from contextlib import suppress
 from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import Any
 
 import msgspec
 
@@ -57,8 +56,8 @@ def digest_of(course: Course, question: Question) -> str:
     return digest.hexdigest()
 
 
-def _without_words(answer: Answer) -> dict[str, Any]:
-    fields: dict[str, Any] = msgspec.to_builtins(answer)
+def _without_words(answer: Answer) -> dict[str, object]:
+    fields: dict[str, object] = msgspec.to_builtins(answer)
     for name in ("explanation", "equivalent", "code"):
         fields.pop(name, None)
     return fields

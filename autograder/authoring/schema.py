@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator
-from typing import Any
 
 import msgspec
 
@@ -41,7 +40,7 @@ def schema_files() -> Iterator[tuple[str, str]]:
     )
 
 
-def questions_schema() -> dict[str, Any]:
+def questions_schema() -> dict[str, object]:
     """What may stand in a file of questions."""
     types = [kind_named(name).question_type for name in sorted(kind_names())]
     (*references, prediction), parts = msgspec.json.schema_components(
@@ -69,7 +68,7 @@ def questions_schema() -> dict[str, Any]:
     }
 
 
-def answers_schema() -> dict[str, Any]:
+def answers_schema() -> dict[str, object]:
     """What may stand in a file of answers: for each question its key."""
     kinds = [kind_named(name) for name in sorted(kind_names())]
     types = [kind.answer_type for kind in kinds]
@@ -90,5 +89,5 @@ def answers_schema() -> dict[str, Any]:
     }
 
 
-def _text(schema: dict[str, Any]) -> str:
+def _text(schema: dict[str, object]) -> str:
     return json.dumps(schema, indent=2, ensure_ascii=False) + "\n"

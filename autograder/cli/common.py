@@ -172,7 +172,7 @@ def use_class_list(parsed: argparse.Namespace, book: Gradebook) -> ClassList:
     return class_list
 
 
-def print_json(value: Any) -> None:
+def print_json(value: object) -> None:
     """Write JSON to standard output; other characters than ASCII are escaped."""
     print(json.dumps(value, indent=1))
 

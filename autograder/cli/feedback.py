@@ -81,7 +81,8 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
     with Gradebook(gradebook_path(parsed), create=False) as book:
         view = view_class(course, book, use_class_list(parsed, book))
         shared = feedback_of(view, book)
-    chosen = [find_record(view.records, said) for said in parsed.student or ()] or view.records
+    said_ones = parsed.student or ()
+    chosen = [find_record(view.records, one, view.missing) for one in said_ones] or view.records
     if said := require_current(course, chosen):
         warn(said)
     pages = [returning.Page(record, feedback_html(shared, record)) for record in chosen]

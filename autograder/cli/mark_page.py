@@ -7,7 +7,6 @@ import secrets
 from collections.abc import Callable, Iterable
 from http import HTTPStatus
 from http.server import BaseHTTPRequestHandler, HTTPServer
-from typing import Any
 from urllib.parse import parse_qs, urlsplit
 
 from rich.console import Console
@@ -99,7 +98,7 @@ def make_server(
             self.end_headers()
             self.wfile.write(html)
 
-        def log_message(self, format: str, *args: Any) -> None:
+        def log_message(self, format: str, *args: object) -> None:
             """Say nothing: the terminal is for people."""
 
     server = MarkServer(("127.0.0.1", port), Handler)

@@ -69,7 +69,8 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
     points = read_points(parsed.points)
     with Gradebook(gradebook_path(parsed), create=False) as book:
         class_list = use_class_list(parsed, book)
-        record = find_record(view_class(course, book, class_list).records, parsed.student)
+        view = view_class(course, book, class_list)
+        record = find_record(view.records, parsed.student, view.missing)
         decided = question.id in record.overrides or question.id in record.disputes
         if points is None and not decided:
             raise UsageError(f"{record.name} has no override for {question.id} to withdraw.")

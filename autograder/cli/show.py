@@ -38,7 +38,7 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
     course = load(parsed)
     with Gradebook(gradebook_path(parsed), create=False) as book:
         view = view_class(course, book, find_class_list(parsed, book))
-        record = find_record(view.records, parsed.student)
+        record = find_record(view.records, parsed.student, view.missing)
         if parsed.json:
             print_json(record_fields(course, record))
         else:

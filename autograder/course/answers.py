@@ -6,7 +6,6 @@ What an answer has beyond an explanation, code and alternatives is the business 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
 
 from autograder.course.filling import fill
 from autograder.errors import CourseError
@@ -19,7 +18,7 @@ __all__ = ["Alternative", "Answer", "answer_from_table"]
 
 
 def answer_from_table(
-    table: dict[str, Any],
+    table: dict[str, object],
     question: Question,
     text: str = "",
     numbers: Mapping[str, int | float] | None = None,

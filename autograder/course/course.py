@@ -206,7 +206,7 @@ class Course:
         Raises:
             CourseError: if an answer is missing or left over.
         """
-        read: dict[str, tuple[str, dict[str, Any]]] = {}
+        read: dict[str, tuple[str, dict[str, object]]] = {}
         for chapter in self.chapters if self.has_key else ():
             path = self.root / ANSWERS / f"{chapter.name}.toml"
             text, tables = _read_toml(path, f"write the answers to {chapter.name}.toml there")
@@ -344,7 +344,7 @@ def load_course(root: Path | None = None) -> Course:
     return Course(root, tuple(chapters), settings, own_kinds, personal, others)
 
 
-def _read_stories(stories: Any, text: str, file: Path) -> dict[str, Variables]:
+def _read_stories(stories: object, text: str, file: Path) -> dict[str, Variables]:
     place = Place(f"story in {file.as_posix()}", text, ("story",))
     if not isinstance(stories, dict):
         raise place.error("a story is a table such as [story.cloud]")
@@ -356,7 +356,7 @@ def _read_stories(stories: Any, text: str, file: Path) -> dict[str, Variables]:
     }
 
 
-def _read_predictions(tables: Any, text: str, file: Path) -> tuple[Prediction, ...]:
+def _read_predictions(tables: object, text: str, file: Path) -> tuple[Prediction, ...]:
     if not (isinstance(tables, list) and all(isinstance(table, dict) for table in tables)):
         raise CourseError(f"{file}: each prediction is a table that begins with [[prediction]].")
     found = []
@@ -442,7 +442,7 @@ def _read_tool_table(root: Path) -> dict[str, Any]:
     return table
 
 
-def _own_kinds(root: Path, table: dict[str, Any]) -> tuple[str, ...]:
+def _own_kinds(root: Path, table: dict[str, object]) -> tuple[str, ...]:
     """The packages of the kinds of question that a course brings along."""
     packages = table.pop("kinds", [])
     if not (isinstance(packages, list) and all(isinstance(name, str) for name in packages)):
@@ -453,7 +453,7 @@ def _own_kinds(root: Path, table: dict[str, Any]) -> tuple[str, ...]:
     return tuple(packages)
 
 
-def _one_of(root: Path, table: dict[str, Any], name: str, choices: tuple[str, ...]) -> str:
+def _one_of(root: Path, table: dict[str, object], name: str, choices: tuple[str, ...]) -> str:
     """A setting that has one of a few values; the first where nothing is said."""
     chosen = table.pop(name, choices[0])
     if chosen not in choices:
@@ -464,7 +464,7 @@ def _one_of(root: Path, table: dict[str, Any], name: str, choices: tuple[str, ..
     return str(chosen)
 
 
-def _packages(value: Any, where: str) -> tuple[str, ...]:
+def _packages(value: object, where: str) -> tuple[str, ...]:
     entries = value if isinstance(value, list) else [None]
     for entry in entries:
         if not isinstance(entry, str) or not all(p.isidentifier() for p in entry.split(".")):

@@ -23,7 +23,7 @@ FIELD = "draws"
 DRAW = "draw"  # the variable that says which draw a variant has
 
 
-def read_draws(table: Mapping[str, Any], listed: str, place: Place) -> Variables:
+def read_draws(table: Mapping[str, object], listed: str, place: Place) -> Variables:
     """The draws of a question as its variables; ``listed`` is the field that they draw from.
 
     Raises:

@@ -12,7 +12,6 @@ import ast
 import re
 from collections.abc import Collection, Mapping
 from functools import partial
-from typing import Any
 
 from autograder.errors import CourseError
 from autograder.kinds.formula import CONSTANTS, FUNCTIONS, evaluate_formula
@@ -24,14 +23,14 @@ _MATH = re.compile(r"(\$\$.*?\$\$|\$[^$\n]*\$)", re.DOTALL)
 
 
 def fill(
-    table: Mapping[str, Any], numbers: Mapping[str, int | float], formulas: Collection[str] = ()
-) -> dict[str, Any]:
+    table: Mapping[str, object], numbers: Mapping[str, int | float], formulas: Collection[str] = ()
+) -> dict[str, object]:
     """The table with numbers in all texts, and in the fields called ``formulas`` their values.
 
     Raises:
         CourseError: if a formula cannot be evaluated.
     """
-    filled: dict[str, Any] = {}
+    filled: dict[str, object] = {}
     for key, value in table.items():
         if key in formulas and isinstance(value, str):
             # As an author would write it down: the last bits are those of one order of operations.
@@ -42,7 +41,7 @@ def fill(
     return filled
 
 
-def _filled(value: Any, numbers: Mapping[str, int | float], formulas: Collection[str]) -> Any:
+def _filled(value: object, numbers: Mapping[str, int | float], formulas: Collection[str]) -> object:
     if isinstance(value, str):
         return fill_text(value, numbers)
     if isinstance(value, list):

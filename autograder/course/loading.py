@@ -22,7 +22,7 @@ def load_object(dotted_name: str, root: Path) -> Callable[..., Any]:
     module_name, _, name = dotted_name.partition(":")
     put_first(root, {*OWN, module_name.partition(".")[0]} - {"autograder"})
     try:
-        loaded: Callable[..., Any] = getattr(importlib.import_module(module_name), name)
+        loaded: Callable[..., object] = getattr(importlib.import_module(module_name), name)
         return loaded
     except (ImportError, AttributeError, ValueError, SyntaxError, OSError) as error:
         raise CourseError(

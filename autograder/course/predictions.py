@@ -47,7 +47,7 @@ class Prediction(Written, frozen=True, kw_only=True):
         if self.between is not None and not self.between[0] < self.between[1]:
             raise ValueError("the first number of between must be below the second")
 
-    def fits(self, value: Any) -> bool:
+    def fits(self, value: object) -> bool:
         """Whether something stored, by anybody, can be this prediction."""
         if self.between is None:
             return isinstance(value, str) and value in self.choices

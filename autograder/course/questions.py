@@ -51,7 +51,7 @@ class Written:
             filled = drawn(filled, listed, self.table[FIELD], numbers)
         return question_from_table(filled, self.chapter, self.text, self.position)
 
-    def key(self, table: Any, variant: int) -> Any:
+    def key(self, table: object, variant: int) -> Any:
         """The table of its key with what belongs to a variant, where some entries are drawn.
 
         Raises:
@@ -72,7 +72,7 @@ class Written:
     @classmethod
     def read(
         cls,
-        table: Mapping[str, Any],
+        table: Mapping[str, object],
         chapter: str,
         text: str,
         position: int,
@@ -105,7 +105,7 @@ class Written:
 
 
 def question_from_table(
-    table: Mapping[str, Any], chapter: str, text: str = "", position: int = 0
+    table: Mapping[str, object], chapter: str, text: str = "", position: int = 0
 ) -> Question:
     """Read one ``[[question]]`` table: the one at ``position`` in the ``text`` of its file.
 

@@ -58,7 +58,7 @@ def unexpected_right_work(course: Course) -> list[str]:
     ]
 
 
-def _functions(course: Course, name: str) -> dict[str, Any]:
+def _functions(course: Course, name: str) -> dict[str, object]:
     module = ".".join([*FOLDER.parts, name])
     put_first(course.root, set(OWN))
     try:

@@ -37,7 +37,7 @@ class Channel:
         """The descriptor, for `select`."""
         return self._socket.fileno()
 
-    def send(self, message: Any, deadline: float | None = None, most: int | None = None) -> None:
+    def send(self, message: object, deadline: float | None = None, most: int | None = None) -> None:
         """Send one message; ``most`` is as in `wire.encode`.
 
         Raises:

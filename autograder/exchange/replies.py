@@ -19,14 +19,14 @@ _MAX_TABLE = 2**24  # characters of a list as an array of texts
 NOT_PLAIN = {"state": "unusable", "reason": "not plain"}
 
 
-def clean_report(reply: Any, cells: int) -> dict[str, Any]:
+def clean_report(reply: object, cells: int) -> dict[str, Any]:
     """The report on a run: one error (class name or None) a cell, responses, understood texts."""
     reply = _dictionary(reply)
     errors = reply.get("errors")
     errors = errors if isinstance(errors, list) and len(errors) == cells else [None] * cells
     told = reply.get("told")
     told = told if isinstance(told, list) and len(told) == cells else [None] * cells
-    responses: dict[str, Any] = {}
+    responses: dict[str, object] = {}
     for id, response in _dictionary(reply.get("responses")).items():
         responses |= keep_response(id, response)
     return {
@@ -62,7 +62,7 @@ def clean_evaluation(reply: Any) -> dict[str, Any]:
     return NOT_PLAIN
 
 
-def clean_told(entry: Any) -> dict[str, Any] | None:
+def clean_told(entry: object) -> dict[str, Any] | None:
     """What was told of an exception: kind, message, maybe module, line and source; or None."""
     entry = _dictionary(entry)
     if not entry:
@@ -77,7 +77,7 @@ def clean_told(entry: Any) -> dict[str, Any] | None:
     }
 
 
-def clean_text(text: Any, limit: int = _MAX_TEXT) -> str:
+def clean_text(text: object, limit: int = _MAX_TEXT) -> str:
     """One printable line without control characters or halves of characters."""
     if not isinstance(text, str):
         return ""
@@ -85,7 +85,7 @@ def clean_text(text: Any, limit: int = _MAX_TEXT) -> str:
     return " ".join(line.split())[:limit]
 
 
-def _outcome(entry: Any) -> dict[str, Any]:
+def _outcome(entry: object) -> dict[str, Any]:
     entry = _dictionary(entry)
     if "value" in entry:
         if entry.keys() <= {"value", "changed", "drawn"} and _is_bounded(entry["value"]):
@@ -104,7 +104,7 @@ def _outcome(entry: Any) -> dict[str, Any]:
     return {"unusable": "not plain"}
 
 
-def _is_bounded(value: Any) -> bool:
+def _is_bounded(value: object) -> bool:
     """Whether NumPy can be given the value, whatever is then compared with it.
 
     It makes an array of texts out of a list that holds one, each as long as the longest: a long
@@ -126,21 +126,21 @@ def _is_bounded(value: Any) -> bool:
     return entries * longest <= _MAX_TABLE
 
 
-def _is_reason(value: Any) -> bool:
+def _is_reason(value: object) -> bool:
     return isinstance(value, str) and value in REASONS
 
 
-def _is_number(value: Any) -> bool:
+def _is_number(value: object) -> bool:
     return isinstance(value, int | float | complex) and not isinstance(value, bool)
 
 
-def _class_name(value: Any) -> str:
+def _class_name(value: object) -> str:
     if isinstance(value, str) and _CLASS_NAME.fullmatch(value):
         return value
     return "Exception"
 
 
-def _public_name(value: Any) -> str:
+def _public_name(value: object) -> str:
     if not isinstance(value, str):
         return "Exception"
     known = getattr(builtins, value, None)
@@ -149,5 +149,5 @@ def _public_name(value: Any) -> str:
     return "Exception"
 
 
-def _dictionary(value: Any) -> dict[str, Any]:
+def _dictionary(value: object) -> dict[str, Any]:
     return value if isinstance(value, dict) else {}

@@ -6,14 +6,13 @@ They come from files and processes of students. Only the standard library is use
 from __future__ import annotations
 
 import json
-from typing import Any
 
 RECEIPT = "application/vnd.autograder.response+json"  # the type of an output that is a receipt
 MAX_RESPONSE = 20_000  # characters of one response as JSON
 MAX_DEPTH = 32
 
 
-def plain_response(value: Any, depth: int = 0) -> Any:
+def plain_response(value: object, depth: int = 0) -> object:
     """A response from an untrusted file as clean JSON: strings are valid text, numbers are finite.
 
     Raises:
@@ -35,7 +34,7 @@ def plain_response(value: Any, depth: int = 0) -> Any:
     return value
 
 
-def keep_response(id: Any, response: Any) -> dict[str, Any]:
+def keep_response(id: object, response: object) -> dict[str, object]:
     """``{id: response}`` if both are what a course can hold, else an empty dictionary.
 
     The response may be anything that a process of a student sent, arrays included.

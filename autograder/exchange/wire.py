@@ -48,7 +48,7 @@ class TooLarge(WireError):
     """The value is plain data, but the other side would not take as much."""
 
 
-def encode(value: Any, most: int | None = None) -> bytes:
+def encode(value: object, most: int | None = None) -> bytes:
     """The frame of a plain value.
 
     ``most`` is the other side's cap on the JSON and on the arrays, if it is known.
@@ -60,7 +60,7 @@ def encode(value: Any, most: int | None = None) -> bytes:
     """
     arrays: list[np.ndarray] = []
 
-    def convert(item: Any, depth: int = 0) -> Any:
+    def convert(item: object, depth: int = 0) -> object:
         if depth > MAX_DEPTH:
             raise WireError("nested too deeply")
         if item is None or isinstance(item, bool | int | float):
@@ -103,7 +103,7 @@ def encode(value: Any, most: int | None = None) -> bytes:
     return HEADER.pack(len(text), len(raw)) + text + raw
 
 
-def decode(text: bytes, raw: bytes, max_unpacked: int = UNPACKED * MAX_ARRAYS) -> Any:
+def decode(text: bytes, raw: bytes, max_unpacked: int = UNPACKED * MAX_ARRAYS) -> object:
     """The value of a frame's two parts.
 
     Raises:
@@ -159,7 +159,7 @@ def _allowed_type(code: Any) -> np.dtype[Any]:
     return np.dtype(code)
 
 
-def _restore(item: Any, arrays: list[np.ndarray | None], depth: int = 0) -> Any:
+def _restore(item: object, arrays: list[np.ndarray | None], depth: int = 0) -> object:
     """The value with its arrays in place, each taken out of ``arrays``: none stands in two."""
     if depth > 2 * MAX_DEPTH:
         raise WireError("nested too deeply")
@@ -203,7 +203,7 @@ def read_message(
     read_exactly: Callable[[int], bytes],
     max_json: int = MAX_JSON,
     max_arrays: int = MAX_ARRAYS,
-) -> Any:
+) -> object:
     """Read one message; ``read_exactly(n)`` returns n bytes or raises EOFError.
 
     Raises:

@@ -69,7 +69,7 @@ class Gradebook:
                 raise
             self._db.execute("COMMIT")
 
-    def _rows(self, query: str, values: tuple[Any, ...] = ()) -> list[Any]:
+    def _rows(self, query: str, values: tuple[object, ...] = ()) -> list[Any]:
         with readable_errors(self.path):
             return self._db.execute(query, values).fetchall()
 
@@ -324,7 +324,9 @@ class Gradebook:
             )
         return found
 
-    def _marks(self, where: str = "", values: tuple[Any, ...] = ()) -> dict[str, tuple[Mark, ...]]:
+    def _marks(
+        self, where: str = "", values: tuple[object, ...] = ()
+    ) -> dict[str, tuple[Mark, ...]]:
         marks: dict[str, list[Mark]] = {}
         for student, text in self._rows(
             f"SELECT student, mark FROM mark {where} ORDER BY rowid", values
@@ -421,7 +423,7 @@ class Gradebook:
             )
 
     def _overrides(
-        self, where: str = "", values: tuple[Any, ...] = ()
+        self, where: str = "", values: tuple[object, ...] = ()
     ) -> Iterator[tuple[Override, bool]]:
         for row in self._rows(
             "SELECT student, question, points, reason, made_at, author, levels, response, disputed "
@@ -438,7 +440,7 @@ class Gradebook:
         """Every remark, oldest first."""
         return self._notes()
 
-    def _notes(self, where: str = "", values: tuple[Any, ...] = ()) -> list[Note]:
+    def _notes(self, where: str = "", values: tuple[object, ...] = ()) -> list[Note]:
         rows = self._rows(
             f"SELECT student, text, made_at, author FROM note {where} ORDER BY id", values
         )

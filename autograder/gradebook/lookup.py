@@ -7,12 +7,14 @@ from collections.abc import Sequence
 from autograder.errors import UsageError
 from autograder.gradebook.record import Record
 from autograder.intake.matching import plain_name
+from autograder.intake.person import Person
 
 
-def find_record(records: Sequence[Record], said: str) -> Record:
+def find_record(records: Sequence[Record], said: str, missing: Sequence[Person] = ()) -> Record:
     """The record of one student; upper and lower case do not matter.
 
     What belongs to one student alone goes before names, and a whole name before a part of one.
+    ``missing`` are those of the class list who handed in nothing.
 
     Raises:
         UsageError: if it fits nobody, or several; the sentence names them.
@@ -31,6 +33,10 @@ def find_record(records: Sequence[Record], said: str) -> Record:
                 f"{said!r} fits {len(fits)} submissions: {_listed(fits)}. Give an e-mail address, "
                 "a login, an id, or the submission's own name."
             )
+    for person in missing:
+        called = {text.casefold() for text in (*person.identifiers(), person.number)}
+        if wanted.casefold() in called or _orders(person.name) & _orders(wanted):
+            raise UsageError(f"{person.text()} is in the class list and handed in nothing.")
     part = plain_name(wanted)
     near = [r for r in records if part and part in f"{plain_name(r.name)} {plain_name(r.student)}"]
     known = _listed(near) if near else f"{len(records)} others"

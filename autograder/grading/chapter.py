@@ -22,7 +22,7 @@ from autograder.marking import Mark, not_attempted, stopped
 from autograder.marking.marker import Marker
 from autograder.sandbox.launcher import Sandbox, Session, Stopped
 
-Opening = dict[str, Any] | Stopped | None
+Opening = dict[str, object] | Stopped | None
 
 
 def grade_chapter(
@@ -232,7 +232,7 @@ def _ask_about_the_example(
     return said
 
 
-def _no_value(reply: dict[str, Any]) -> str:
+def _no_value(reply: dict[str, object]) -> str:
     """Why what came back for one input is no value, in words."""
     outcomes = reply.get("outcomes")
     outcome = outcomes[0] if isinstance(outcomes, list) and outcomes else {}
@@ -241,7 +241,7 @@ def _no_value(reply: dict[str, Any]) -> str:
     return "it changes its input in place; work on a copy" if "changed" in outcome else ""
 
 
-def _public_call(question: Question, marker: Marker) -> dict[str, Any] | None:
+def _public_call(question: Question, marker: Marker) -> dict[str, object] | None:
     """The probe cut to its first case, if that is one that students may see."""
     drawn = marker.drawn(question.id)
     if kind_of(question).example(drawn) is None:
@@ -276,11 +276,11 @@ def _response_stopped(stop: Stopped) -> str:
     return f"The process that ran it was ended: {stop.why}." if stop.why else ""
 
 
-def _line(value: Any) -> str:
+def _line(value: object) -> str:
     """One short printable line of what a student's process said; it may have said anything."""
     text = value if isinstance(value, str) else ""
     return "".join(c if c.isprintable() else " " for c in text[:200])
 
 
-def _dictionary(value: Any) -> dict[str, Any]:
+def _dictionary(value: object) -> dict[str, Any]:
     return value if isinstance(value, dict) else {}

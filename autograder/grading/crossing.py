@@ -9,7 +9,6 @@ import json
 from collections.abc import Collection
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 from autograder.grading.graded import Graded
 from autograder.grading.spread import Task
@@ -115,5 +114,5 @@ def unpack_result(data: bytes, submission: Submission) -> Graded | Broken:
     )
 
 
-def _pack(fields: dict[str, Any]) -> bytes:
+def _pack(fields: dict[str, object]) -> bytes:
     return json.dumps(fields).encode()

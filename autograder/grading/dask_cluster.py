@@ -64,7 +64,7 @@ class DaskCluster:
         self._stack = ExitStack()
         self._client: Client | None = None
         self._crew: Crew | None = None
-        self._sent: dict[Any, tuple[_Sent, Future]] = {}
+        self._sent: dict[object, tuple[_Sent, Future]] = {}
         self._suspects: list[_Sent] = []
         self._bytes = 0
 
@@ -156,8 +156,8 @@ class DaskCluster:
         digest = hashlib.sha256(repr(matter).encode("utf-8", "replace")).hexdigest()[:16]
         return ("grade", student, digest, self._marker.seed, sent.attempt)
 
-    def _take_ready(self) -> list[tuple[Future, Any]]:
-        ready: list[tuple[Future, Any]] = (
+    def _take_ready(self) -> list[tuple[Future, object]]:
+        ready: list[tuple[Future, object]] = (
             self._completed.next_batch(block=False) if self._sent else []
         )
         return [(future, result) for future, result in ready if future.key in self._sent]

@@ -6,7 +6,6 @@ import time
 from collections.abc import Callable
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
-from typing import Any
 
 from distributed import Client
 
@@ -137,7 +136,7 @@ class Crew:
         self._ask(prepare, self._wanted, "new")
         self._ask(proof, self._wanted.name, "preparing")
 
-    def _ask(self, question: Callable[..., Any], argument: Any, state: str) -> None:
+    def _ask(self, question: Callable[..., object], argument: object, state: str) -> None:
         """Run a function on every worker that is in a state."""
         addresses = [a for a, member in self._members.items() if member.state == state]
         if addresses:
@@ -171,7 +170,7 @@ class Crew:
         return "".join(reasons[:3]) + more
 
 
-def _member(answer: Any) -> Member:
+def _member(answer: object) -> Member:
     """What a worker's answer says of it; preparing has none."""
     if answer is None:
         return Member("preparing")

@@ -93,7 +93,7 @@ class GradingPlugin(WorkerPlugin):
         if self.state == "ready":
             await asyncio.to_thread(self._slots.close)
 
-    def proof(self) -> dict[str, Any]:
+    def proof(self) -> dict[str, object]:
         """What the coordinator is told of this worker, as plain data."""
         return {"state": self.state, "reason": self.reason, "isolation": self.isolation}
 
@@ -226,7 +226,7 @@ def prepare(wanted: Wanted, dask_worker: Any = None) -> None:
         dask_worker.loop.add_callback(dask_worker.plugin_add, plugin=plugin, name=wanted.name)
 
 
-def proof(plugin: str, dask_worker: Any = None) -> dict[str, Any]:
+def proof(plugin: str, dask_worker: Any = None) -> dict[str, object]:
     """Who this worker is and whether it has proven itself; runs on the worker."""
     held = dask_worker.plugins.get(plugin)
     said = {"state": "preparing", "reason": "", "isolation": ""} if held is None else held.proof()

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from typing import Any
 
 LONGEST_CODE = 6000  # characters of a cell that the page of feedback shows
 
@@ -27,7 +26,7 @@ def shown_code(cell: str) -> str:
     return code if len(code) <= LONGEST_CODE else code[:LONGEST_CODE] + "\n…"
 
 
-def in_words(told: dict[str, Any] | None) -> str:
+def in_words(told: dict[str, object] | None) -> str:
     """``ValueError: no points, at line 3: total = 1 / len(points)``."""
     if not told:
         return ""
@@ -40,12 +39,12 @@ def in_words(told: dict[str, Any] | None) -> str:
     return said
 
 
-def missing_module(told: dict[str, Any]) -> str:
+def missing_module(told: dict[str, object]) -> str:
     """That a module is not there."""
     return f"{told['module']} is not installed where this is marked"
 
 
-def import_notes(chapter: str, told: Sequence[dict[str, Any] | None]) -> list[str]:
+def import_notes(chapter: str, told: Sequence[dict[str, object] | None]) -> list[str]:
     """A note for each module that a notebook imports and that is not there, with its line."""
     notes = []
     for entry in told:

@@ -181,14 +181,14 @@ def read_settled(path: Path) -> dict[str, str]:
     return settled
 
 
-def _toml(text: str, path: Path) -> dict[str, Any]:
+def _toml(text: str, path: Path) -> dict[str, object]:
     try:
         return tomllib.loads(text.replace("\r\n", "\n"))
     except tomllib.TOMLDecodeError as error:
         raise CourseError(f"{path} cannot be read: {error}.") from None
 
 
-def _policy(late: dict[str, Any], zone: tzinfo | None, path: Path) -> LatePolicy:
+def _policy(late: dict[str, object], zone: tzinfo | None, path: Path) -> LatePolicy:
     known = {"due", "zone", "grace_minutes", "percent_a_day", "most_percent"}
     _only(late, known, f"[late] in {path}")
     if "due" not in late:
@@ -233,7 +233,7 @@ def _students(entries: Any, zone: tzinfo | None, path: Path) -> tuple[Person, ..
     return tuple(students)
 
 
-def _zone(late: dict[str, Any], path: Path) -> tzinfo | None:
+def _zone(late: dict[str, object], path: Path) -> tzinfo | None:
     if "zone" not in late:
         return None
     try:
@@ -245,7 +245,7 @@ def _zone(late: dict[str, Any], path: Path) -> tzinfo | None:
         ) from None
 
 
-def _time(value: Any, zone: tzinfo | None, where: str) -> datetime:
+def _time(value: object, zone: tzinfo | None, where: str) -> datetime:
     if not isinstance(value, datetime):
         raise CourseError(f"{where} is not a date and time; write 2026-11-20T23:59:00.")
     if value.tzinfo is not None:
@@ -256,7 +256,7 @@ def _time(value: Any, zone: tzinfo | None, where: str) -> datetime:
 
 
 def _number(
-    table: dict[str, Any], key: str, default: float, path: Path, most: float = math.inf
+    table: dict[str, object], key: str, default: float, path: Path, most: float = math.inf
 ) -> float:
     value = table.get(key, default)
     if isinstance(value, bool) or not isinstance(value, int | float) or not 0 <= value <= most:
@@ -265,13 +265,13 @@ def _number(
     return float(value)
 
 
-def _table(tables: dict[str, Any], name: str, path: Path) -> dict[str, Any]:
+def _table(tables: dict[str, object], name: str, path: Path) -> dict[str, object]:
     table = tables.get(name, {})
     if not isinstance(table, dict):
         raise CourseError(f"{path}: [{name}] must be a table.")
     return table
 
 
-def _only(table: dict[str, Any], known: set[str], where: str) -> None:
+def _only(table: dict[str, object], known: set[str], where: str) -> None:
     for key in sorted(table.keys() - known):
         raise CourseError(f"{where} has an unknown entry {key!r}; known are {sorted(known)}.")

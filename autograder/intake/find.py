@@ -18,9 +18,10 @@ from autograder.errors import UsageError
 from autograder.exchange.printable import JOINERS
 from autograder.intake.archive import shown
 from autograder.intake.layouts import LAYOUTS, plain
-from autograder.intake.layouts.layout import Context, Entry, Found, PassedOver, is_reports, visible
+from autograder.intake.layouts.layout import Context, Entry, Found, PassedOver, visible
 from autograder.intake.layouts.plain import Verdict
 from autograder.intake.origin import Origin
+from autograder.intake.own_files import OWN, is_reports, without_own_files
 from autograder.intake.place import (
     DiskPlace,
     Group,
@@ -132,6 +133,18 @@ def _look(
     folder: Place, context: Context, layout: str | None, is_archive: bool, depth: int = 0
 ) -> Found | None:
     """The class in a folder or just below it; None if it is one submission."""
+    rest, own = without_own_files(folder)
+    found = _look_at(rest, context, layout, is_archive, depth)
+    if found is None:
+        return None
+    for place in own:
+        found.pass_over(place, OWN, needs_person=False)
+    return found
+
+
+def _look_at(
+    folder: Place, context: Context, layout: str | None, is_archive: bool, depth: int
+) -> Found | None:
     for known in LAYOUTS:
         if known.recognises(folder) if layout is None else known.name == layout:
             found = (

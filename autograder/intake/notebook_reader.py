@@ -80,7 +80,7 @@ def parse_notebook(data: bytes, name: str) -> Notebook:
         )
 
     sources: list[str] = []
-    receipts: dict[str, Any] = {}
+    receipts: dict[str, object] = {}
     notes: list[str] = []
     if document.get("nbformat") in (2, 3):
         notes.append(f"{name} is in an old notebook format (nbformat {document['nbformat']}).")
@@ -97,7 +97,7 @@ def parse_notebook(data: bytes, name: str) -> Notebook:
     return Notebook(sources, receipts, list(dict.fromkeys(notes)))
 
 
-def parse_json(data: bytes, name: str) -> Any:
+def parse_json(data: bytes, name: str) -> object:
     """The JSON in untrusted bytes, as UTF-8 or UTF-16 and with or without a byte order mark.
 
     Raises:
@@ -126,15 +126,15 @@ def parse_json(data: bytes, name: str) -> Any:
         ) from None
 
 
-def _source(cell: dict[str, Any]) -> str:
+def _source(cell: dict[str, object]) -> str:
     source = cell.get("source", cell.get("input", ""))
     if isinstance(source, list):
         return "".join(line for line in source if isinstance(line, str))
     return source if isinstance(source, str) else ""
 
 
-def _receipts(cell: dict[str, Any]) -> dict[str, Any]:
-    found: dict[str, Any] = {}
+def _receipts(cell: dict[str, object]) -> dict[str, object]:
+    found: dict[str, object] = {}
     outputs = cell.get("outputs")
     for output in outputs if isinstance(outputs, list) else ():
         data = output.get("data") if isinstance(output, dict) else None
@@ -144,7 +144,7 @@ def _receipts(cell: dict[str, Any]) -> dict[str, Any]:
     return found
 
 
-def _kind(document: Any) -> str:
+def _kind(document: object) -> str:
     return {list: "a list", str: "a text", type(None): "nothing"}.get(type(document), "a number")
 
 

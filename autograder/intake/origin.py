@@ -84,9 +84,9 @@ class Origin:
         """The same, handed in at another time."""
         return replace(self, handed_in=time, time_from=time_from if time is not None else "")
 
-    def to_dict(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, object]:
         """As plain data, for the gradebook."""
-        table: dict[str, Any] = {"layout": self.layout, "prefix": self.prefix}
+        table: dict[str, object] = {"layout": self.layout, "prefix": self.prefix}
         table["claims"] = [
             {key: value for key, value in asdict(claim).items() if value} for claim in self.claims
         ]

@@ -82,7 +82,7 @@ def _check(folder: str) -> None:
             raise _Refused("it borrows objects from another repository")
 
 
-def _choose(repo: Any, until: float | None) -> dict[str, Any]:
+def _choose(repo: Any, until: float | None) -> dict[str, object]:
     """The last commit of the branch until a time, or the very last if there is none or no time."""
     head = repo[repo.head()]
     commit, later = head, 0
@@ -100,7 +100,7 @@ def _choose(repo: Any, until: float | None) -> dict[str, Any]:
     }
 
 
-def _files(repo: Any, commit: bytes, suffixes: list[str]) -> list[dict[str, Any]]:
+def _files(repo: Any, commit: bytes, suffixes: list[str]) -> list[dict[str, object]]:
     found: list[dict[str, Any]] = []
     left = [_MOST_ENTRIES, _MOST_BYTES]
     _collect(repo, repo[commit].tree, "", suffixes, found, left, 0)

@@ -32,7 +32,7 @@ class Shelf(Sequence[T], Generic[T]):
         MachineError: from `append`, if there is no room for the file.
     """
 
-    def __init__(self, kind: type[T] | Any, items: Iterable[T] = ()) -> None:
+    def __init__(self, kind: type[T] | object, items: Iterable[T] = ()) -> None:
         self._kind = kind
         self._end: list[T] = []
         self._starts = array("Q")  # where in the file each block begins
@@ -117,13 +117,13 @@ def _file() -> IO[bytes]:
     return tempfile.TemporaryFile()
 
 
-def _as_plain(value: Any) -> Any:
+def _as_plain(value: object) -> object:
     if isinstance(value, Path):
         return path_to_text(value)
     raise TypeError(type(value).__name__)
 
 
-def _from_plain(kind: type, value: Any) -> Any:
+def _from_plain(kind: type, value: Any) -> object:
     if issubclass(kind, Path):
         return path_from_text(value)
     raise TypeError(kind.__name__)

@@ -202,7 +202,7 @@ def _with_earlier_handouts(copies: list[_Copy], chapter: str, handout: Handout) 
     return [replace(copy, untouched=copy.untouched or copy.path in stale) for copy in copies]
 
 
-def _first_choice(copy: _Copy) -> tuple[Any, ...]:
+def _first_choice(copy: _Copy) -> tuple[object, ...]:
     """Sort key: what can be read, what is the student's own, the newest, the plainest name."""
     time = copy.kept.time or _NO_TIME
     return (
@@ -279,7 +279,7 @@ def _without_copy(stem: str) -> str:
     return stem
 
 
-def _read_sidecars(files: Files, notes: list[str]) -> dict[str, dict[str, Any]]:
+def _read_sidecars(files: Files, notes: list[str]) -> dict[str, dict[str, object]]:
     """The saved responses by chapter: of the newest piece, the outermost first."""
     sidecars: dict[str, dict[str, Any]] = {}
     left_out = []
@@ -297,7 +297,7 @@ def _read_sidecars(files: Files, notes: list[str]) -> dict[str, dict[str, Any]]:
     return sidecars
 
 
-def _read_sidecar(data: bytes, name: str) -> dict[str, Any]:
+def _read_sidecar(data: bytes, name: str) -> dict[str, object]:
     document = parse_json(data, name)
     responses = document.get("responses") if isinstance(document, dict) else None
     if not isinstance(responses, dict):

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from datetime import datetime
-from typing import Any
 
 from autograder.intake.class_list import ClassList
 from autograder.intake.hint import hinted_time
@@ -112,7 +111,7 @@ class Summary:
             said.append(f"{len(needed) - _NAMED} more were passed over; see --json.")
         return said
 
-    def to_dict(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, object]:
         """As plain data, for ``--json``."""
         return {
             "summary": self.sentence(),
@@ -131,7 +130,7 @@ class Summary:
             ],
         }
 
-    def _fields(self, row: Row) -> dict[str, Any]:
+    def _fields(self, row: Row) -> dict[str, object]:
         origin = row.origin
         people = [person_fields(person) for person in row.match.people]
         return {

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from abc import abstractmethod
 from pathlib import Path
-from typing import Any
 
 from autograder.kinds.drawn import Drawn
 from autograder.kinds.exercise import Exercise, heading
@@ -16,7 +15,7 @@ class ChoiceKind(Kind[Q, A]):
     """A kind that ``ask`` asks and whose widget keeps the response."""
 
     @abstractmethod
-    def mark_choice(self, question: Q, answer: A, response: Any) -> Mark:
+    def mark_choice(self, question: Q, answer: A, response: object) -> Mark:
         """Mark what is kept; it may be anything."""
 
     @abstractmethod
@@ -24,7 +23,7 @@ class ChoiceKind(Kind[Q, A]):
         """The right response as code, for the solved notebook."""
 
     def mark(
-        self, question: Q, answer: A, drawn: Drawn, response: Any, understood: str = ""
+        self, question: Q, answer: A, drawn: Drawn, response: object, understood: str = ""
     ) -> Mark:
         if response is None:
             return not_attempted(question)

@@ -6,7 +6,6 @@ from abc import abstractmethod
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 from autograder.errors import CourseError
 from autograder.exchange.reasons import REASONS
@@ -27,7 +26,7 @@ class CodeKind(Kind[Q, A]):
         question: Q,
         answer: A,
         drawn: Drawn,
-        response: dict[str, Any],
+        response: dict[str, object],
         understood: str,
     ) -> Mark | None:
         """Mark what ``inside`` made of a response; None if that is not what it makes."""
@@ -36,18 +35,18 @@ class CodeKind(Kind[Q, A]):
         """In words, why a response is none that can be marked."""
         return REASONS.get(reason, "it could not be read")
 
-    def fits(self, question: Q, response: Any) -> bool:
+    def fits(self, question: Q, response: object) -> bool:
         return False  # nothing is kept but what was typed into a field
 
     def mark(
-        self, question: Q, answer: A, drawn: Drawn, response: Any, understood: str = ""
+        self, question: Q, answer: A, drawn: Drawn, response: object, understood: str = ""
     ) -> Mark:
         response = response if isinstance(response, dict) else {}
         mark = self._mark(question, answer, drawn, response, understood)
         return mark if mark.understood else replace(mark, understood=understood)
 
     def _mark(
-        self, question: Q, answer: A, drawn: Drawn, response: dict[str, Any], understood: str
+        self, question: Q, answer: A, drawn: Drawn, response: dict[str, object], understood: str
     ) -> Mark:
         state, reason = _text(response.get("state")), _text(response.get("reason"))
         if state == "not attempted":
@@ -70,7 +69,7 @@ class CodeKind(Kind[Q, A]):
             alternative="not usable",
         )
 
-    def lines(self, question: Q, response: Any) -> list[str]:
+    def lines(self, question: Q, response: object) -> list[str]:
         return [f'Check it with `check("{question.id}", {question.name})`.']
 
     def more_heading(self, question: Q) -> list[str]:
@@ -108,5 +107,5 @@ class CodeKind(Kind[Q, A]):
             yield f"{count} known mistakes; name at least {FEWEST_MISTAKES}, with feedback."
 
 
-def _text(value: Any) -> str:
+def _text(value: object) -> str:
     return value if isinstance(value, str) else ""

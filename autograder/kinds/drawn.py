@@ -46,7 +46,7 @@ class Drawn:
     tells: bool = True
 
     @property
-    def opening(self) -> dict[str, Any] | None:
+    def opening(self) -> dict[str, object] | None:
         """The probe that is to be sent before anything hidden is, if there is such a part."""
         return {**self.probe, "cases": self.probe["cases"][:1]} if self.shows_first else None
 

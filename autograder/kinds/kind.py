@@ -64,14 +64,14 @@ class Kind(ABC, Generic[Q, A]):
     # -- understood ------------------------------------------------------------------------------
 
     @abstractmethod
-    def fits(self, question: Q, response: Any) -> bool:
+    def fits(self, question: Q, response: object) -> bool:
         """Whether something stored, by anybody, is a response that this question can have."""
 
-    def is_untouched(self, question: Q, response: Any) -> bool:
+    def is_untouched(self, question: Q, response: object) -> bool:
         """Whether a response that fits is still what everybody begins with."""
         return False
 
-    def read_response(self, question: Q, response: Any) -> Any:
+    def read_response(self, question: Q, response: object) -> object:
         """A response given to ``ask(...).respond(...)``, in the form in which it is kept.
 
         Raises:
@@ -79,11 +79,13 @@ class Kind(ABC, Generic[Q, A]):
         """
         return response
 
-    def in_words(self, question: Q, response: Any) -> str:
+    def in_words(self, question: Q, response: object) -> str:
         """A kept response for people to read, in one line."""
         return str(response)
 
-    def read_typed(self, question: Q, text: str, variables: Mapping[str, Any]) -> tuple[Any, Any]:
+    def read_typed(
+        self, question: Q, text: str, variables: Mapping[str, object]
+    ) -> tuple[object, object]:
         """What a text in the question's field means, and what of it is kept.
 
         Args:
@@ -96,11 +98,11 @@ class Kind(ABC, Generic[Q, A]):
         """
         raise NotImplementedError
 
-    def typed_value(self, question: Q, response: Any) -> Any:
+    def typed_value(self, question: Q, response: object) -> object:
         """The value of a response that was typed and kept, ``...`` where there is none."""
         return ...
 
-    def typed_cell(self, question: Q, response: Any) -> str | None:
+    def typed_cell(self, question: Q, response: object) -> str | None:
         """A cell that gives a kept response to the question's variable; None if nothing was typed.
 
         It is to be run after all others, and leaves a value alone that the notebook itself assigns.
@@ -123,13 +125,13 @@ class Kind(ABC, Generic[Q, A]):
         """
         return Drawn(self.base_probe())
 
-    def base_probe(self) -> dict[str, Any]:
+    def base_probe(self) -> dict[str, object]:
         """What every probe of this kind holds: who evaluates it."""
         return {"kind": self.name, **({"inside": self.inside} if self.inside else {})}
 
     @abstractmethod
     def mark(
-        self, question: Q, answer: A, drawn: Drawn, response: Any, understood: str = ""
+        self, question: Q, answer: A, drawn: Drawn, response: object, understood: str = ""
     ) -> Mark:
         """Mark a response: what is kept (None for nothing), or what came back for the probe.
 
@@ -148,11 +150,11 @@ class Kind(ABC, Generic[Q, A]):
     # -- shown -----------------------------------------------------------------------------------
 
     @abstractmethod
-    def lines(self, question: Q, response: Any) -> list[str]:
+    def lines(self, question: Q, response: object) -> list[str]:
         """The question as Markdown, below its prompt, for where no widget can be drawn."""
 
     @abstractmethod
-    def widget(self, desk: Any, question: Q, *checked: Any) -> Any:
+    def widget(self, desk: object, question: Q, *checked: object) -> Any:
         """A `QuestionWidget` that asks the question.
 
         ``checked`` is nothing, or a value that the notebook gave and its mark.
@@ -186,7 +188,7 @@ class Kind(ABC, Generic[Q, A]):
         """What is wrong with a key that can be read, beyond what marking would show."""
         yield from ()
 
-    def response_like(self, question: Q, alternative: Alternative, drawn: Drawn) -> Any:
+    def response_like(self, question: Q, alternative: Alternative, drawn: Drawn) -> object:
         """A response that is this alternative, as `mark` takes it; None if there is none."""
         return None
 
@@ -234,7 +236,7 @@ class Kind(ABC, Generic[Q, A]):
         """
         return None
 
-    def variant(self, question: Q, written: Any) -> Any:
+    def variant(self, question: Q, written: object) -> Any:
         """The response that an entry of ``solutions/variants`` stands for.
 
         It was written by the course's author: a function, or a text as a student types it.
@@ -256,12 +258,12 @@ class Kind(ABC, Generic[Q, A]):
         """
         return None
 
-    def snapshot_probe(self, question: Q, snapshot: dict[str, Any] | None) -> dict[str, Any]:
+    def snapshot_probe(self, question: Q, snapshot: dict[str, object] | None) -> dict[str, object]:
         """The probe that goes with a snapshot, or with none."""
         return self.base_probe()
 
     def mark_snapshot(
-        self, question: Q, snapshot: dict[str, Any], response: dict[str, Any]
+        self, question: Q, snapshot: dict[str, object], response: dict[str, object]
     ) -> Mark:
         """Mark what came back for the probe of a snapshot."""
         raise NotImplementedError

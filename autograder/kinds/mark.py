@@ -78,12 +78,12 @@ class Mark:
         parts = [f"- {part.label}: {part.explanation}" for part in self.parts if part.explanation]
         return "\n\n".join(filter(None, ["\n".join(parts), self.explanation]))
 
-    def to_dict(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, object]:
         """Plain data, for the wire and the gradebook."""
         return asdict(self)
 
     @classmethod
-    def from_dict(cls, fields: dict[str, Any]) -> Mark:
+    def from_dict(cls, fields: dict[str, object]) -> Mark:
         """The mark that `to_dict` wrote.
 
         Raises:

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 
-def pack(value: Any) -> Any:
+def pack(value: object) -> Any:
     """Plain data with arrays as JSON."""
     if isinstance(value, np.ndarray):
         if value.dtype.kind == "c":
@@ -22,7 +22,7 @@ def pack(value: Any) -> Any:
     return value
 
 
-def unpack(value: Any) -> Any:
+def unpack(value: object) -> Any:
     """What `pack` made of plain data, as it was; named tuples are lists."""
     if isinstance(value, dict):
         if value.keys() == {"array", "dtype", "shape"}:

@@ -69,7 +69,7 @@ def read_table(table: object, kind: type[W], place: Place, **given: str) -> W:
 
 
 def _explained(
-    message: str, table: dict[str, Any], kind: type[Written]
+    message: str, table: dict[str, object], kind: type[Written]
 ) -> tuple[str, toml_lines.Path]:
     """What is wrong, in an author's words, and where in the table."""
     found = _AT.match(message)
@@ -90,7 +90,7 @@ def _explained(
     return (f"in {_trail(table, path)}, {problem}" if path else problem), path
 
 
-def _expected(wanted: str, rest: str, table: dict[str, Any], path: toml_lines.Path) -> str:
+def _expected(wanted: str, rest: str, table: dict[str, object], path: toml_lines.Path) -> str:
     what, value = _trail(table, path), _at(table, path)
     if rest.startswith(" matching regex"):
         if rest.endswith(repr(BLANK)):
@@ -132,7 +132,7 @@ def _at(table: Any, path: toml_lines.Path) -> Any:
     return table
 
 
-def _trail(table: dict[str, Any], path: toml_lines.Path) -> str:
+def _trail(table: dict[str, object], path: toml_lines.Path) -> str:
     """A path in words: ``credit of alternative 'rounded down'``."""
     words: list[str] = []
     for depth, step in enumerate(path):
@@ -160,8 +160,8 @@ def _choices(kind: type[Written], path: toml_lines.Path) -> str:
     return " or ".join(repr(value) for value in getattr(_type_at(kind, path), "values", ()))
 
 
-def _type_at(kind: type[Written], path: toml_lines.Path) -> Any:
-    here: Any = msgspec.inspect.type_info(kind)
+def _type_at(kind: type[Written], path: toml_lines.Path) -> object:
+    here: object = msgspec.inspect.type_info(kind)
     for step in path:
         if isinstance(here, msgspec.inspect.StructType) and isinstance(step, str):
             here = next(f.type for f in here.fields if f.encode_name == step)
@@ -172,7 +172,7 @@ def _type_at(kind: type[Written], path: toml_lines.Path) -> Any:
     return here
 
 
-def _not_finite(value: Any, path: toml_lines.Path = ()) -> Iterator[toml_lines.Path]:
+def _not_finite(value: object, path: toml_lines.Path = ()) -> Iterator[toml_lines.Path]:
     if isinstance(value, float) and not isfinite(value):
         yield path
     elif isinstance(value, Mapping):

@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 import tomllib
 from collections.abc import Iterator
-from typing import Any
 
 Path = tuple[str | int, ...]
 
@@ -64,7 +63,7 @@ def _places(text: str) -> Iterator[tuple[int, Path]]:
 def _names(dotted: str) -> Path | None:
     """The parts of a dotted name, as TOML reads them."""
     try:
-        inner: Any = tomllib.loads(f"{dotted} = 0")
+        inner: object = tomllib.loads(f"{dotted} = 0")
     except tomllib.TOMLDecodeError:
         return None  # a line of something else, such as a list of several lines
     names = []

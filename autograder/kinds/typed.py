@@ -50,7 +50,7 @@ def _why_no_formula(text: str) -> str:
     return "This is not finished, or not a formula: write 2*x for a product and x**2 for a power."
 
 
-def _power(base: Any, exponent: Any) -> Any:
+def _power(base: Any, exponent: Any) -> object:
     """A power, unless it would keep the computer busy for longer than anybody waits."""
     if isinstance(exponent, int | float) or getattr(exponent, "is_number", False):
         size = int(base).bit_length() if getattr(base, "is_integer", isinstance(base, int)) else 1
@@ -61,9 +61,9 @@ def _power(base: Any, exponent: Any) -> Any:
 
 def value_of(
     tree: ast.expr,
-    name: Callable[[str], Any],
-    functions: Mapping[str, Callable[..., Any]],
-    number: Callable[[Any], Any] = lambda value: value,
+    name: Callable[[str], object],
+    functions: Mapping[str, Callable[..., object]],
+    number: Callable[[object], object] = lambda value: value,
 ) -> Any:
     """The value of a formula's tree.
 

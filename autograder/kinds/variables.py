@@ -20,7 +20,6 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from decimal import Decimal
-from typing import Any
 
 import msgspec
 
@@ -82,7 +81,7 @@ def canonical(student: str) -> str:
     return " ".join(student.casefold().split())
 
 
-def read_variables(table: Any, name: str, place: Place) -> Variables:
+def read_variables(table: object, name: str, place: Place) -> Variables:
     """The variables in an author's table.
 
     Raises:

@@ -9,7 +9,6 @@ from __future__ import annotations
 import threading
 from collections.abc import Collection
 from dataclasses import replace
-from typing import Any
 
 from autograder.course import Course
 from autograder.course.questions import Question
@@ -87,7 +86,7 @@ class Marker:
         for id in self.course.questions if ids is None else ids:
             self.drawn(id)
 
-    def mark(self, id: str, response: Any, understood: str = "") -> Mark:
+    def mark(self, id: str, response: object, understood: str = "") -> Mark:
         """Mark a response: what a widget kept, or what came back for the question's probe.
 
         Nothing in it is trusted. ``understood`` is what it looked like before any probe was sent.
@@ -123,7 +122,7 @@ class Marker:
             self._variants[id] = made
         return self._variants[id]
 
-    def _of_other_numbers(self, mark: Mark, response: Any, understood: str) -> Mark | None:
+    def _of_other_numbers(self, mark: Mark, response: object, understood: str) -> Mark | None:
         """The mark with a name, if the response is right for the numbers of somebody else."""
         variables = self.course.varied[mark.question].variables
         assert variables is not None

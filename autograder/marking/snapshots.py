@@ -45,7 +45,7 @@ class SnapshotMarker:
         question = self._course.question(id)
         return kind_of(question).snapshot_probe(question, self._snapshots.get(id))
 
-    def mark(self, id: str, response: Any, understood: str = "") -> Mark:
+    def mark(self, id: str, response: object, understood: str = "") -> Mark:
         """Mark what came back for the probe."""
         question = self._course.question(id)
         snapshot = self._snapshots.get(id)

@@ -18,7 +18,7 @@ SEED = 1 << 40
 
 def chapter_snapshots(course: Course, chapter: Chapter) -> tuple[dict[str, Any], list[str]]:
     """The snapshots of a chapter's questions by id, as JSON data, and what they cannot tell."""
-    snapshots: dict[str, Any] = {}
+    snapshots: dict[str, object] = {}
     blind: list[str] = []
     for question in chapter.questions:
         answer = course.key[question.id]

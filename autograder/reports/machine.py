@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from autograder.course import Course
 from autograder.gradebook import Record
 from autograder.gradebook.changes import Change
 
 
-def record_fields(course: Course, record: Record) -> dict[str, Any]:
+def record_fields(course: Course, record: Record) -> dict[str, object]:
     """One student, with the verdict on every question that was marked."""
     return {
         "student": record.student,
@@ -43,7 +41,7 @@ def record_fields(course: Course, record: Record) -> dict[str, Any]:
     }
 
 
-def change_fields(change: Change) -> dict[str, Any]:
+def change_fields(change: Change) -> dict[str, object]:
     """One mark before and after."""
     return {
         "student": change.student,

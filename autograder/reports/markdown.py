@@ -30,7 +30,9 @@ def _parser() -> MarkdownIt:
     parser.use(dollarmath_plugin, allow_digits=False, double_inline=True)
 
     def render(block: bool) -> Any:
-        def rule(self: Any, tokens: Sequence[Token], index: int, options: Any, env: Any) -> str:
+        def rule(
+            self: object, tokens: Sequence[Token], index: int, options: object, env: object
+        ) -> str:
             return formula(tokens[index].content.strip(), block)
 
         return rule

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import codecs
-from typing import Any
 
 _INSTEAD = {
     "✓": "+",
@@ -29,7 +28,7 @@ _INSTEAD = {
 NAME = "autograder-plain"
 
 
-def make_plain(*streams: Any) -> None:
+def make_plain(*streams: object) -> None:
     """Let streams of any encoding take any text; a name's letter becomes ``\\u0142``, not an error.
 
     Windows gives cp1252 to output that is redirected, and a service may have ASCII.

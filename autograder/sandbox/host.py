@@ -86,7 +86,7 @@ class Host:
             raise short or HostError(f"The sandbox did not start: {said}")
         self._ready = True
 
-    def open(self, limits: dict[str, Any], seed: int) -> Channel:
+    def open(self, limits: dict[str, object], seed: int) -> Channel:
         """Fork a child with an empty scratch folder and return the channel to it.
 
         Raises:
@@ -175,7 +175,7 @@ class Host:
         self._own_folder.remove()
         self._own_identity.release()
 
-    def _tell(self, message: dict[str, Any]) -> None:
+    def _tell(self, message: dict[str, object]) -> None:
         try:
             self._control.send(json.dumps(message).encode())
         except OSError:
@@ -316,12 +316,12 @@ class Host:
         }
 
     def _start(
-        self, prefix: list[str], set_up: dict[str, Any], environment: dict[str, str]
+        self, prefix: list[str], set_up: dict[str, object], environment: dict[str, str]
     ) -> tuple[subprocess.Popen[bytes], socket.socket]:
         return _starter.submit(self._start_process, prefix, set_up, environment).result()
 
     def _start_process(
-        self, prefix: list[str], set_up: dict[str, Any], environment: dict[str, str]
+        self, prefix: list[str], set_up: dict[str, object], environment: dict[str, str]
     ) -> tuple[subprocess.Popen[bytes], socket.socket]:
         ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
         with theirs, open(self._folder / "errors", "wb") as errors:

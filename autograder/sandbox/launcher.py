@@ -84,7 +84,7 @@ class Sandbox:
         if self._plain:
             from autograder.sandbox.plain import PlainSession
 
-            session: Any = PlainSession(self._course, deadline)
+            session: object = PlainSession(self._course, deadline)
         else:
             settings = self._course.settings
             session = Session(self._take_host, settings, self._seed, deadline, self.doubt)

@@ -84,7 +84,7 @@ class Session:
         self._check_deadline()
         return self._run(names)
 
-    def evaluate(self, name: str, probe: dict[str, Any]) -> dict[str, Any]:
+    def evaluate(self, name: str, probe: dict[str, object]) -> dict[str, Any]:
         """Evaluate the response held by ``name``, as `autograder.sandbox.inside.evaluate` says.
 
         Raises:
@@ -114,7 +114,7 @@ class Session:
                     raise Stopped(stop.status, stop.why)
         return reply
 
-    def _ask_to_evaluate(self, name: str, probe: dict[str, Any]) -> dict[str, Any]:
+    def _ask_to_evaluate(self, name: str, probe: dict[str, object]) -> dict[str, object]:
         seconds = min(self._settings.question_seconds, self._deadline - time.monotonic())
         if seconds <= 0:  # running the notebook again took the rest
             raise self._out_of_time()
@@ -174,7 +174,7 @@ class Session:
                     self._stopped_cells.setdefault(index, Stopped("timeout"))
             return report
 
-    def _ask(self, message: dict[str, Any], seconds: float, deadline: float) -> dict[str, Any]:
+    def _ask(self, message: dict[str, object], seconds: float, deadline: float) -> dict[str, Any]:
         """Send a question and wait for the message with its nonce.
 
         ``seconds`` are of the child's own time, the deadline is on the clock.
@@ -276,7 +276,7 @@ class Session:
         self._doubt.ran_out = True
         return out_of_time()
 
-    def _note_cell(self, index: Any) -> None:
+    def _note_cell(self, index: object) -> None:
         if type(index) is int and 0 <= index < len(self._cells):
             self._in_cell = index
 
@@ -351,7 +351,7 @@ class _Limit:
         self.due = self.since + self.seconds
 
 
-def _carries(answer: Any, nonce: str) -> bool:
+def _carries(answer: object, nonce: str) -> bool:
     """Whether a message is the answer to the question with this nonce.
 
     Student code may have put an array in the nonce's place, and that cannot be compared.
@@ -360,7 +360,7 @@ def _carries(answer: Any, nonce: str) -> bool:
     return isinstance(given, str) and given == nonce
 
 
-def _stop_by(number: Any) -> Stopped:
+def _stop_by(number: object) -> Stopped:
     """What it means that the fork for one question ended without an answer.
 
     ``number`` is the signal that ended it, or anything else that student code sent.

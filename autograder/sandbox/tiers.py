@@ -8,7 +8,6 @@ import time
 from dataclasses import dataclass, field
 from pathlib import Path
 from threading import Lock
-from typing import Any
 
 from autograder.course import Course
 from autograder.errors import MachineError, machine_error
@@ -291,7 +290,7 @@ def _try_to_get_out(host: Host, course: Course) -> dict[str, bool]:
         channel = host.open(allowed, seed=0)
         try:
             deadline = time.monotonic() + 6 * _TRIAL_SECONDS  # this machine may have much to do
-            message: dict[str, Any] = {
+            message: dict[str, object] = {
                 "do": "run",
                 "nonce": "trial",
                 "cells": [cell],

@@ -27,7 +27,7 @@ from autograder.student.views import (
     SubmissionView,
 )
 
-MISSING: Any = object()
+MISSING: object = object()
 
 put_course_first()
 unsaved.watch()
@@ -54,7 +54,7 @@ def _desk() -> Desk:
 class Asked(QuestionView):
     """A question on show; ``respond`` answers it."""
 
-    def respond(self, response: Any) -> Any:
+    def respond(self, response: object) -> Any:
         """Record a response and mark it.
 
         A true/false question takes a list of True, False or None; an order question a list of
@@ -72,7 +72,7 @@ def ask(id: str) -> Any:
     return _try(lambda: _ask(id))
 
 
-def check(id: str, response: Any = MISSING) -> Any:
+def check(id: str, response: object = MISSING) -> Any:
     """Mark a response: a value, an expression or a function, as the question asks.
 
     For a true/false or an order question, leave the response out: what was answered there is
@@ -81,12 +81,12 @@ def check(id: str, response: Any = MISSING) -> Any:
     return _try(lambda: _check(id, response))
 
 
-def me(name: Any) -> Any:
+def me(name: object) -> object:
     """Say who you are, by the name or number of the class list; your numbers follow from it."""
     return _try(lambda: print(become(_course_at(course_of_notebook()), name)))
 
 
-def predict(id: str, value: Any = MISSING) -> Any:
+def predict(id: str, value: object = MISSING) -> Any:
     """Ask for a prediction, or give one; it is kept and has no points. The first one stands.
 
     Args:
@@ -106,17 +106,17 @@ def predicted(id: str) -> Any:
     return _try(lambda: (desk := _desk()).prediction(desk.course.prediction(id)))
 
 
-def progress() -> Any:
+def progress() -> object:
     """Show the points so far, chapter by chapter."""
     return _try(lambda: _progress())
 
 
-def submit() -> Any:
+def submit() -> object:
     """Pack the notebooks and responses into ``submission.zip`` and say what is unanswered."""
     return _try(lambda: _submit())
 
 
-def _try(action: Any) -> Any:
+def _try(action: Any) -> object:
     """Say what is wrong in one sentence: a traceback would bury it."""
     try:
         return action()
@@ -125,7 +125,7 @@ def _try(action: Any) -> Any:
         return None
 
 
-def _shown(view: Any, widget: Callable[[], Any]) -> Any:
+def _shown(view: object, widget: Callable[[], object]) -> Any:
     """The view itself, or a widget where one can be drawn; it is made only to be drawn."""
     return Live(view, widget) if widgets_wanted() else view
 
@@ -138,7 +138,7 @@ def _ask(id: str) -> Any:
     return _shown(view, lambda: kind_of(question).widget(desk, question))
 
 
-def _respond(id: str, response: Any) -> Any:
+def _respond(id: str, response: object) -> object:
     desk = _desk()
     question = desk.course.question(id)
     if question.name is not None:
@@ -148,7 +148,7 @@ def _respond(id: str, response: Any) -> Any:
     return MarkView(question, desk.mark_choice(question), chosen)
 
 
-def _check(id: str, response: Any) -> Any:
+def _check(id: str, response: object) -> object:
     desk = _desk()
     question = desk.course.question(id)
     if question.name is None:
@@ -165,7 +165,7 @@ def _check(id: str, response: Any) -> Any:
     return _shown(view, lambda: kind_of(question).widget(desk, question, response, mark))
 
 
-def _predict(id: str, value: Any) -> Any:
+def _predict(id: str, value: object) -> object:
     desk = _desk()
     prediction = desk.course.prediction(id)
     if value is not MISSING:
@@ -182,7 +182,7 @@ def _predict(id: str, value: Any) -> Any:
     return _shown(PredictionView(prediction, desk.prediction(prediction)), widget)
 
 
-def _progress() -> Any:
+def _progress() -> object:
     desk = _desk()
 
     def widget() -> Any:
@@ -193,7 +193,7 @@ def _progress() -> Any:
     return _shown(ProgressView(desk.course, desk.entries()), widget)
 
 
-def _submit() -> Any:
+def _submit() -> object:
     desk = _desk()
     view = _pack(desk)
 

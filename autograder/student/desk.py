@@ -28,7 +28,7 @@ class Desk:
 
     def __init__(self, course: Course) -> None:
         self.course = course
-        self._onlookers: WeakSet[Any] = WeakSet()
+        self._onlookers: WeakSet[object] = WeakSet()
         self._lock = threading.Lock()
         self._searched: set[str] = set()
 
@@ -73,7 +73,7 @@ class Desk:
             return {**entry, "response": None}
         return entry
 
-    def keep(self, question: Question, change: Callable[[Any], Any]) -> Entry:
+    def keep(self, question: Question, change: Callable[[object], object]) -> Entry:
         """Keep a response without marking it; ``change`` makes the new response of the old one.
 
         Raises:
@@ -147,7 +147,7 @@ class Desk:
             self._note(question, mark, lambda entry: entry.get("response"))
         return mark
 
-    def keep_typed(self, question: Question, text: str) -> Any:
+    def keep_typed(self, question: Question, text: str) -> object:
         """Keep what was typed into the field of a question, and return what it means.
 
         Raises:
@@ -163,12 +163,12 @@ class Desk:
         response = self.entry(question).get("response")
         return ... if response is None else kind_of(question).typed_value(question, response)
 
-    def was_typed(self, question: Question, response: Any) -> bool:
+    def was_typed(self, question: Question, response: object) -> bool:
         """Whether a variable's value is what was typed into the question's field."""
         typed = self.typed(question)
         return typed is not ... and type(response) is type(typed) and bool(response == typed)
 
-    def mark_value(self, question: Question, response: Any, count: bool = True) -> Mark:
+    def mark_value(self, question: Question, response: object, count: bool = True) -> Mark:
         """Mark a value, an expression or a function.
 
         An ellipsis stands for what was typed into the field, if anything was.
@@ -216,12 +216,12 @@ class Desk:
         for onlooker in self._present():
             onlooker.follow(id)
 
-    def watch(self, onlooker: Any) -> None:
+    def watch(self, onlooker: object) -> None:
         """Tell something on show of changes from now on, as long as it is there."""
         with self._lock:
             self._onlookers.add(onlooker)
 
-    def unwatch(self, onlooker: Any) -> None:
+    def unwatch(self, onlooker: object) -> None:
         """Stop telling it."""
         with self._lock:
             self._onlookers.discard(onlooker)
@@ -239,7 +239,7 @@ class Desk:
         self,
         question: Question,
         mark: Mark,
-        response: Callable[[Entry], Any],
+        response: Callable[[Entry], object],
         understood: str = "",
     ) -> None:
         """Write a mark to the response it belongs to, and count the attempt."""
@@ -265,7 +265,7 @@ def hints_open(entry: Entry) -> int:
     return count if isinstance(count, int) and count >= 0 else 0
 
 
-def _is_stub(response: Any) -> bool:
+def _is_stub(response: object) -> bool:
     """Whether a function still only raises NotImplementedError, as the handout's stub does."""
     code = getattr(response, "__code__", None)
     return code is not None and code.co_names == ("NotImplementedError",)

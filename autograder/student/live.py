@@ -24,7 +24,7 @@ class Live:
         self.view = view
         self._widget = widget
 
-    def __getattr__(self, name: str) -> Any:
+    def __getattr__(self, name: str) -> object:
         return getattr(self.view, name)
 
     def __repr__(self) -> str:

@@ -62,7 +62,7 @@ class BundleMarker:
         """What the kernel has to evaluate for a question."""
         return self._for(id).probe(id)
 
-    def mark(self, id: str, response: Any, understood: str = "") -> Mark:
+    def mark(self, id: str, response: object, understood: str = "") -> Mark:
         """The mark of what came out."""
         return self._for(id).mark(id, response, understood)
 
@@ -113,7 +113,7 @@ class MarkerClient:
         probe: dict[str, Any] = self._ask({"do": "probe", "question": id})["probe"]
         return probe
 
-    def mark(self, id: str, response: Any, understood: str = "") -> Mark:
+    def mark(self, id: str, response: object, understood: str = "") -> Mark:
         """The mark of what came out."""
         reply = self._ask(
             {"do": "mark", "question": id, "response": response, "understood": understood}

@@ -18,7 +18,7 @@ from autograder.student.responses import Entry, notebooks_folder
 __all__ = ["RECEIPT", "receipt", "rescued_entries"]
 
 
-def receipt(id: str, response: Any) -> dict[str, Any]:
+def receipt(id: str, response: object) -> dict[str, Any]:
     """The output that stands for a response."""
     return {"question": id, "response": response}
 
@@ -30,7 +30,7 @@ def rescued_entries(course: Course, chapter: Chapter) -> dict[str, Entry]:
     """
     if os.environ.get("AUTOGRADER_RESPONSES"):
         return {}
-    found: dict[str, Any] = {}
+    found: dict[str, object] = {}
     for path in _notebooks(notebooks_folder(course.root), chapter):
         try:
             found |= read_notebook(path.read_bytes()).receipts

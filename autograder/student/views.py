@@ -36,8 +36,10 @@ class _View:
         """What the grader may read from the saved output."""
         return None
 
-    def _repr_mimebundle_(self, include: Any = None, exclude: Any = None) -> dict[str, Any]:
-        bundle: dict[str, Any] = {
+    def _repr_mimebundle_(
+        self, include: object = None, exclude: object = None
+    ) -> dict[str, object]:
+        bundle: dict[str, object] = {
             "text/plain": repr(self),
             "text/markdown": "\n".join(self.lines()),
         }
@@ -55,7 +57,7 @@ class _View:
 class QuestionView(_View):
     """A question with its prompt, statements or cards, and the response so far."""
 
-    def __init__(self, question: Question, response: Any = None) -> None:
+    def __init__(self, question: Question, response: object = None) -> None:
         self.question = question
         self.response = response
 
@@ -100,7 +102,7 @@ class PredictionView(_View):
 class MarkView(_View):
     """A mark with its feedback; the explanation is folded away."""
 
-    def __init__(self, question: Question, mark: Mark, response: Any) -> None:
+    def __init__(self, question: Question, mark: Mark, response: object) -> None:
         self.question = question
         self.mark = mark
         self.response = response
@@ -137,7 +139,7 @@ class MarkView(_View):
 class ProgressView(_View):
     """Points so far, chapter by chapter."""
 
-    def __init__(self, course: Course, entries: dict[str, dict[str, dict[str, Any]]]) -> None:
+    def __init__(self, course: Course, entries: dict[str, dict[str, dict[str, object]]]) -> None:
         self.course = course
         self.entries = entries
 

@@ -22,7 +22,7 @@ class Explorer:
     def __init__(
         self,
         module: str,
-        values: dict[str, Any] | Callable[[], dict[str, Any]],
+        values: dict[str, object] | Callable[[], dict[str, object]],
         sentence: str,
         still: Callable[[], None] | None = None,
     ) -> None:
@@ -34,8 +34,10 @@ class Explorer:
     def __repr__(self) -> str:
         return self._sentence
 
-    def _repr_mimebundle_(self, include: Any = None, exclude: Any = None) -> dict[str, Any]:
-        bundle: dict[str, Any] = {"text/plain": self._sentence}
+    def _repr_mimebundle_(
+        self, include: object = None, exclude: object = None
+    ) -> dict[str, object]:
+        bundle: dict[str, object] = {"text/plain": self._sentence}
         if widgets_wanted():
             bundle["application/vnd.jupyter.widget-view+json"] = {
                 "version_major": 2,

@@ -7,7 +7,6 @@ and ``:created_at:``; earlier submissions stand under ``:history:`` and are not 
 from __future__ import annotations
 
 from datetime import UTC, datetime
-from typing import Any
 
 from autograder.intake.archive import shown
 from autograder.intake.layouts.layout import Context, Entry, Found, side_entry
@@ -66,7 +65,7 @@ class Gradescope:
         return found
 
 
-def _metadata(place: Place) -> dict[str, Any] | None:
+def _metadata(place: Place) -> dict[str, object] | None:
     import yaml  # type: ignore[import-untyped]
 
     try:
@@ -78,7 +77,7 @@ def _metadata(place: Place) -> dict[str, Any] | None:
     return told if isinstance(told, dict) else None
 
 
-def _claims(about: dict[str, Any]) -> list[Claim]:
+def _claims(about: dict[str, object]) -> list[Claim]:
     people = about.get(":submitters")
     return [
         Claim(
@@ -91,11 +90,11 @@ def _claims(about: dict[str, Any]) -> list[Claim]:
     ]
 
 
-def _text(value: Any) -> str:
+def _text(value: object) -> str:
     return "" if value is None or isinstance(value, dict | list) else str(value).strip()
 
 
-def _time(value: Any) -> datetime | None:
+def _time(value: object) -> datetime | None:
     if isinstance(value, datetime):  # YAML gives times with a zone in UTC, others without any
         return value.astimezone(UTC) if value.tzinfo else value.replace(tzinfo=UTC)
     try:

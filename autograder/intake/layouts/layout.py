@@ -11,6 +11,7 @@ from autograder.course import Settings
 from autograder.intake.archive import shown
 from autograder.intake.handout import Handout
 from autograder.intake.origin import Origin, Piece
+from autograder.intake.own_files import SIDE, is_side_file
 from autograder.intake.person import Person
 from autograder.intake.place import Place, is_notebook_name, is_system, is_zip
 from autograder.intake.shelf import Shelf
@@ -80,17 +81,12 @@ class Layout(Protocol):
         ...
 
 
-def is_reports(place: Place) -> bool:
-    """Whether a folder is what the autograder itself wrote."""
-    return place.is_folder and any(child.name == "gradebook.db" for child in place.children())
-
-
 def side_entry(place: Place, found: Found, expected: bool = False) -> None:
     """Pass over something that does not fit the layout, with the reason."""
     if is_system(place.name):
         found.pass_over(place, "made by an operating system or an editor", False)
-    elif is_reports(place):
-        found.pass_over(place, "the autograder's own gradebook and reports", False)
+    elif is_side_file(place):
+        found.pass_over(place, SIDE, False)
     elif place.name.startswith("."):
         found.pass_over(place, "a hidden file")
     elif expected:

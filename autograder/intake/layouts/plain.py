@@ -21,9 +21,10 @@ from pathlib import PurePath
 
 from autograder.errors import UsageError
 from autograder.intake.archive import shown
-from autograder.intake.layouts.layout import Context, Entry, Found, is_reports, visible
+from autograder.intake.layouts.layout import Context, Entry, Found, visible
 from autograder.intake.notebook_reader import Unreadable, read_notebook
 from autograder.intake.origin import Claim, Origin
+from autograder.intake.own_files import OWN, SIDE, is_reports, is_side_file
 from autograder.intake.place import (
     Place,
     as_folder_if_readable,
@@ -55,14 +56,6 @@ _GENERIC = frozenset(
 _MEANT = (
     *(".rar", ".7z", ".tar", ".tgz", ".gz", ".bz2", ".xz", ".zipx", ".py", ".doc", ".docx"),
     *(".pdf", ".odt", ".pages", ".ipynb~", ".part", ".crdownload", ".lnk", ".html", ".htm"),
-)
-_SIDE = ("class.toml", "students.toml", "times.csv", "grading.toml")
-
-
-_REPORTS = (
-    *("gradebook.db", "gradebook.db-wal", "gradebook.db-shm", "grades.csv", "class.html"),
-    *("class_questions.csv", "class_mistakes.csv", "class_students.csv", "feedback"),
-    *("similar.csv", "canvas.csv", "moodle.csv", "csv.csv", "gradescope", "overrides.csv"),
 )
 
 
@@ -119,11 +112,7 @@ def unclear(folder: Place, context: Context) -> UsageError:
 def read_class(folder: Place, context: Context) -> Found:
     """Every zip, folder and notebook in a folder as the submission of one student."""
     found = Found("plain", RULE)
-    own = _REPORTS if is_reports(folder) else ()
     for place in folder.children():
-        if place.name in own:
-            found.pass_over(place, "the autograder's own gradebook and reports", False)
-            continue
         reason, needs_person = _why_not(place, context)
         if reason:
             found.pass_over(place, reason, needs_person)
@@ -161,7 +150,7 @@ def _why_not(place: Place, context: Context) -> tuple[str, bool]:
     if name.startswith("."):
         return "its name begins with a dot, so it is hidden", is_work and name != ".git"
     if is_reports(place):
-        return "the autograder's own gradebook and reports", False
+        return OWN, False
     if place.is_link:
         return "", False  # reading it says that it is a link
     if _is_handout(place, context):
@@ -169,8 +158,8 @@ def _why_not(place: Place, context: Context) -> tuple[str, bool]:
     if is_work or _is_person(place, context):
         return "", False
     lower = name.lower()
-    if lower in _SIDE:
-        return "a side file of the autograder's", False
+    if is_side_file(place):
+        return SIDE, False
     if lower.endswith(_MEANT) and not lower.startswith("readme"):
         return "", False  # reading it says why it cannot be
     return "neither a zip nor a notebook nor a folder", True

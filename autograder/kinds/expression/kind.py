@@ -39,17 +39,17 @@ class ExpressionKind(CodeKind[Expression, ExpressionAnswer]):
     def check_answer(self, question: Expression, answer: ExpressionAnswer) -> None:
         check_expression(question, answer)
 
-    def fits(self, question: Expression, response: Any) -> bool:
+    def fits(self, question: Expression, response: object) -> bool:
         return isinstance(response, str)
 
     def read_typed(
-        self, question: Expression, text: str, variables: Mapping[str, Any]
-    ) -> tuple[Any, Any]:
+        self, question: Expression, text: str, variables: Mapping[str, object]
+    ) -> tuple[object, object]:
         from autograder.kinds.expression.inside.typed import read_expression
 
         return read_expression(question, text), text.strip()
 
-    def typed_value(self, question: Expression, response: Any) -> Any:
+    def typed_value(self, question: Expression, response: Any) -> object:
         from autograder.kinds.expression.inside.typed import read_expression
 
         try:
@@ -57,7 +57,7 @@ class ExpressionKind(CodeKind[Expression, ExpressionAnswer]):
         except UsageError:
             return ...
 
-    def typed_cell(self, question: Expression, response: Any) -> str | None:
+    def typed_cell(self, question: Expression, response: object) -> str | None:
         if not isinstance(response, str):
             return None
         # Read where the notebook runs: only there is sympy, which executes what it reads.
@@ -80,7 +80,7 @@ class ExpressionKind(CodeKind[Expression, ExpressionAnswer]):
         question: Expression,
         answer: ExpressionAnswer,
         drawn: Drawn,
-        response: dict[str, Any],
+        response: dict[str, object],
         understood: str,
     ) -> Mark | None:
         points, values = drawn.expected, response.get("values")
@@ -92,7 +92,7 @@ class ExpressionKind(CodeKind[Expression, ExpressionAnswer]):
             why += " (declared are " + ", ".join(name for name in question.symbols) + ")"
         return why
 
-    def lines(self, question: Expression, response: Any) -> list[str]:
+    def lines(self, question: Expression, response: object) -> list[str]:
         symbols = [f"- `{name}`: {meaning}" for name, meaning in question.symbols.items()]
         return [*symbols, "", *super().lines(question, response)]
 
@@ -105,7 +105,7 @@ class ExpressionKind(CodeKind[Expression, ExpressionAnswer]):
         rows = [f"| `{name}` | {meaning} |" for name, meaning in question.symbols.items()]
         return ["", "| symbol | meaning |", "|:--|:--|", *rows]
 
-    def response_like(self, question: Expression, alternative: Alternative, drawn: Drawn) -> Any:
+    def response_like(self, question: Expression, alternative: Alternative, drawn: Drawn) -> object:
         assert isinstance(alternative, ExpressionAlternative)
         count = len(next(iter(drawn.expected.values())))
         values = evaluate_formula(alternative.expression, drawn.expected)
@@ -138,13 +138,13 @@ class ExpressionKind(CodeKind[Expression, ExpressionAnswer]):
         return examples.take_snapshot(answer, drawn.expected), []
 
     def snapshot_probe(
-        self, question: Expression, snapshot: dict[str, Any] | None
-    ) -> dict[str, Any]:
+        self, question: Expression, snapshot: dict[str, object] | None
+    ) -> dict[str, object]:
         points = snapshot["points"] if snapshot else {}
         return {**super().snapshot_probe(question, snapshot), "points": points}
 
     def mark_snapshot(
-        self, question: Expression, snapshot: dict[str, Any], response: dict[str, Any]
+        self, question: Expression, snapshot: dict[str, object], response: dict[str, object]
     ) -> Mark:
         return examples.mark_snapshot(question, snapshot, response.get("values"))
 

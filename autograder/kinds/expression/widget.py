@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from autograder.kinds.expression.question import Expression
 from autograder.reports.markdown import inline
 from autograder.student.widgets.value import ValueWidget
@@ -14,7 +12,7 @@ class ExpressionWidget(ValueWidget):
 
     question: Expression
 
-    def what_is_fixed(self) -> dict[str, Any]:
+    def what_is_fixed(self) -> dict[str, object]:
         symbols = self.question.symbols.items() if self._with_prompt else ()
         return {
             **super().what_is_fixed(),

@@ -14,12 +14,12 @@ from typing import Any
 
 import numpy as np
 
-Agrees = Callable[[int, Mapping[str, Any]], bool]  # whether an outcome is right for a case
+Agrees = Callable[[int, Mapping[str, object]], bool]  # whether an outcome is right for a case
 
 
 def partial_credit(
-    cases: Sequence[Mapping[str, Any]],
-    right: Sequence[Mapping[str, Any]],
+    cases: Sequence[Mapping[str, object]],
+    right: Sequence[Mapping[str, object]],
     verdicts: Sequence[bool],
     agrees: Agrees,
     most: float,
@@ -50,8 +50,8 @@ def partial_credit(
 
 def _is_trivial(
     indices: Sequence[int],
-    cases: Sequence[Mapping[str, Any]],
-    right: Sequence[Mapping[str, Any]],
+    cases: Sequence[Mapping[str, object]],
+    right: Sequence[Mapping[str, object]],
     agrees: Agrees,
 ) -> bool:
     """Whether one and the same trivial function is right on every case of a kind."""
@@ -62,7 +62,7 @@ def _is_trivial(
     )
 
 
-def _trivial(case: Mapping[str, Any], right: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
+def _trivial(case: Mapping[str, Any], right: Mapping[str, Any]) -> Iterator[dict[str, object]]:
     """What functions return that look at nothing: always the same ones, in the same order."""
     # As a class: what raises the more general exceptions always is right where one is asked for.
     yield {"raised": right.get("raised", "Exception")}
@@ -80,6 +80,6 @@ def _trivial(case: Mapping[str, Any], right: Mapping[str, Any]) -> Iterator[dict
         yield _as_asked(case, value)
 
 
-def _as_asked(case: Mapping[str, Any], value: Any) -> dict[str, Any]:
+def _as_asked(case: Mapping[str, Any], value: Any) -> dict[str, object]:
     """The outcome of a value, as if it had taken the random numbers that it should."""
     return {"value": value, "drawn": case["draws"][0]} if "draws" in case else {"value": value}

@@ -19,7 +19,7 @@ MOST_SECONDS = 0.1  # of a processor, for one response
 _FEWEST = 2  # wrong cases that a relation has to explain
 _TELLING_NUMBERS = 6  # different ones, for a line through them to say anything
 _PLACES = ("first", "second", "third", "fourth")
-Same = Callable[[Mapping[str, Any], Any, Any], bool]
+Same = Callable[[Mapping[str, object], object, object], bool]
 Change = Callable[[Mapping[str, Any], Any], Any]
 
 
@@ -326,7 +326,7 @@ def _changes(
     yield told("mask for indices", "the result is a mask, not indices"), _mask
 
 
-def _itself(_: Mapping[str, Any], value: Any) -> Any:
+def _itself(_: Mapping[str, Any], value: Any) -> object:
     return value
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -22,7 +21,7 @@ def draw(
     answer: FunctionAnswer,
     rng: np.random.Generator,
     root: Path,
-    base: dict[str, Any],
+    base: dict[str, object],
 ) -> Drawn:
     """Draw the cases, and run the reference and the known mistakes on them.
 
@@ -47,7 +46,7 @@ def draw(
     return Drawn(sent, expected=expected, shows_first=shows_first)
 
 
-def _outcomes(dotted_name: str, sent: dict[str, Any], root: Path) -> list[dict[str, Any]]:
+def _outcomes(dotted_name: str, sent: dict[str, object], root: Path) -> list[dict[str, object]]:
     with np.errstate(all="ignore"):
         reply = evaluate(load_object(dotted_name, root), sent)
     if reply["state"] != "given":
@@ -55,7 +54,7 @@ def _outcomes(dotted_name: str, sent: dict[str, Any], root: Path) -> list[dict[s
     return list(reply["outcomes"])
 
 
-def _check_cases(question: Function, cases: Any) -> None:
+def _check_cases(question: Function, cases: object) -> None:
     well_formed = isinstance(cases, list) and all(
         isinstance(case, dict)
         and isinstance(case.get("name"), str)

@@ -33,7 +33,7 @@ def hint(
     return f"{call} {gave}; expected is {right}."
 
 
-def _shown(value: Any) -> str:
+def _shown(value: object) -> str:
     with np.printoptions(precision=6, suppress=True, threshold=20):
         if isinstance(value, np.ndarray):
             text = f"np.array({np.array2string(value, separator=', ')})"

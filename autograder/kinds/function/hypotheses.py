@@ -36,7 +36,7 @@ _A_CASE = 0.25  # for a mutant and a case
 _REMARK = re.compile(r"#\s*names:\s*(.+?)\s*$")
 _LOST: Outcome = {"unusable": "not plain"}
 
-Call = Callable[..., Any]
+Call = Callable[..., object]
 
 
 class Hypotheses:

@@ -44,7 +44,7 @@ class FunctionKind(CodeKind[Function, FunctionAnswer]):
         question: Function,
         answer: FunctionAnswer,
         drawn: Drawn,
-        response: dict[str, Any],
+        response: dict[str, object],
         understood: str,
     ) -> Mark | None:
         outcomes = response.get("outcomes")
@@ -79,7 +79,7 @@ class FunctionKind(CodeKind[Function, FunctionAnswer]):
             if not entry.is_mistake:
                 yield f"the mistake {entry.name!r} gets full credit; lower it."
 
-    def response_like(self, question: Function, alternative: Alternative, drawn: Drawn) -> Any:
+    def response_like(self, question: Function, alternative: Alternative, drawn: Drawn) -> object:
         outcomes = {entry.name: found for entry, found in drawn.expected.mistakes}
         return {"state": "given", "outcomes": list(outcomes[alternative.name])}
 
@@ -114,7 +114,9 @@ class FunctionKind(CodeKind[Function, FunctionAnswer]):
     ) -> tuple[dict[str, Any], list[str]]:
         return take_snapshot(answer, drawn.expected, again.expected)
 
-    def snapshot_probe(self, question: Function, snapshot: dict[str, Any] | None) -> dict[str, Any]:
+    def snapshot_probe(
+        self, question: Function, snapshot: dict[str, Any] | None
+    ) -> dict[str, object]:
         cases = snapshot["cases"] if snapshot else []
         sent = [{"args": case["args"], "kwargs": case.get("kwargs", {})} for case in cases]
         return {**super().snapshot_probe(question, snapshot), "cases": sent}

@@ -22,14 +22,14 @@ from autograder.kinds.mark import NO_VALUE, Mark, Part, status_for
 from autograder.marking.diagnosis.relations import Diagnosis
 
 Outcome = dict[str, Any]
-Compare = Callable[[dict[str, Any], Any, Any], bool]
+Compare = Callable[[dict[str, object], object, object], bool]
 
 
 class Explains(Protocol):
     """What knows how the reference behaves when it is changed a little."""
 
     def explain(
-        self, right: Sequence[Outcome], outcomes: Sequence[Any], verdicts: Sequence[bool]
+        self, right: Sequence[Outcome], outcomes: Sequence[object], verdicts: Sequence[bool]
     ) -> Diagnosis | None:
         """The change with which the reference gives these outcomes, if there is one."""
 
@@ -156,7 +156,7 @@ def _smallest_seen(
     return min(seen, key=lambda i: _size(expected.cases[i]["args"]), default=None)
 
 
-def fingerprint(outcomes: Any) -> str:
+def fingerprint(outcomes: object) -> str:
     """A word that is the same for responses with the same outcomes, to six digits.
 
     Nameless responses of a class with one word have one mistake in common.
@@ -164,7 +164,7 @@ def fingerprint(outcomes: Any) -> str:
     return f"outcomes {zlib.crc32(_rounded(outcomes).encode()):08x}"
 
 
-def _rounded(value: Any) -> str:
+def _rounded(value: object) -> str:
     if isinstance(value, np.ndarray):
         value = value.tolist()
     if isinstance(value, dict):
@@ -174,19 +174,19 @@ def _rounded(value: Any) -> str:
     return f"{value + 0.0:.6g}" if isinstance(value, int | float) else repr(value)[:80]
 
 
-def _size(value: Any) -> int:
+def _size(value: object) -> int:
     if isinstance(value, np.ndarray):
         return value.size
     return sum(map(_size, value)) if isinstance(value, list) else 1
 
 
 def _diagnosis(
-    expected: Expected, outcomes: Sequence[Any], verdicts: Sequence[bool]
+    expected: Expected, outcomes: Sequence[object], verdicts: Sequence[bool]
 ) -> Diagnosis | None:
-    def same(case: Mapping[str, Any], changed: Any, value: Any) -> bool:
+    def same(case: Mapping[str, object], changed: object, value: object) -> bool:
         return close({}, changed, value) or expected.compare(dict(case), changed, value)
 
-    def counts_as_right(case: Mapping[str, Any], right: Any, value: Any) -> bool:
+    def counts_as_right(case: Mapping[str, object], right: object, value: object) -> bool:
         return expected.compare(dict(case), right, value)
 
     found = diagnose_function(
@@ -200,7 +200,7 @@ def _diagnosis(
 def behaves_like(
     expected: Expected,
     mistake: Sequence[Outcome],
-    outcomes: Sequence[Any],
+    outcomes: Sequence[object],
     verdicts: Sequence[bool],
 ) -> bool:
     """Whether outcomes are those of a mistake: wrong where it is wrong, and in the same way."""
@@ -214,7 +214,7 @@ def behaves_like(
     return True
 
 
-def agrees(compare: Compare, case: dict[str, Any], expected: Outcome, actual: Any) -> bool:
+def agrees(compare: Compare, case: dict[str, object], expected: Outcome, actual: object) -> bool:
     """Whether an outcome counts as the expected one; anything malformed does not."""
     if not isinstance(actual, dict):
         return False
@@ -233,7 +233,7 @@ def agrees(compare: Compare, case: dict[str, Any], expected: Outcome, actual: An
         return False
 
 
-def _same_failure(expected: Outcome, actual: dict[str, Any]) -> bool:
+def _same_failure(expected: Outcome, actual: dict[str, object]) -> bool:
     """Whether a call fails as it should; a more special exception is one of the general class."""
     right, given = expected.get("raised"), actual.get("raised")
     if not (isinstance(right, str) and isinstance(given, str)):
@@ -255,7 +255,7 @@ def _drew_as_asked(case: dict[str, Any], outcome: dict[str, Any]) -> bool:
     return type(drawn) is int and low <= drawn <= high
 
 
-def close(case: dict[str, Any], expected: Any, actual: Any) -> bool:
+def close(case: dict[str, object], expected: object, actual: object) -> bool:
     """The default comparison: equal structure, numbers equal to six digits."""
     if isinstance(expected, dict):
         return (
@@ -287,7 +287,7 @@ def close(case: dict[str, Any], expected: Any, actual: Any) -> bool:
     return bool(np.allclose(given, right, rtol=1e-6, atol=1e-9 * max(size, 1e-3), equal_nan=True))
 
 
-def _as_float(value: Any) -> Any:
+def _as_float(value: object) -> object:
     """An integer too long for NumPy as a float, if it is not too long for that."""
     if not isinstance(value, int) or value.bit_length() < 64:
         return value
@@ -297,14 +297,14 @@ def _as_float(value: Any) -> Any:
         return value
 
 
-def _is_numeric(value: Any) -> bool:
+def _is_numeric(value: object) -> bool:
     try:
         return np.asarray(value).dtype.kind in "biufc"
     except (ValueError, OverflowError):
         return False
 
 
-def _what_happened(outcomes: Sequence[Any], indices: Sequence[int]) -> str:
+def _what_happened(outcomes: Sequence[object], indices: Sequence[int]) -> str:
     for index in indices:
         outcome = outcomes[index]
         if isinstance(outcome, dict) and "raised" in outcome:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import inspect
 import re
 from collections.abc import Callable
-from typing import Any
 
 from autograder.kinds.function.marking import Expected
 
@@ -15,7 +14,7 @@ _SECTION = re.compile(r"^Raises:?\s*(?:-+\s*)?$(.*?)(?=^\S[^\n]*:?$|\Z)", re.M |
 _ENTRY = re.compile(r"^\s+(\w*(?:Error|Exception|Warning))\b:?([^\n]*(?:\n\s{6,}[^\n]*)*)", re.M)
 
 
-def promises(reference: Callable[..., Any], expected: Expected) -> list[tuple[str, list[str]]]:
+def promises(reference: Callable[..., object], expected: Expected) -> list[tuple[str, list[str]]]:
     """Each promise in words, with the names of the cases in which the reference keeps it."""
     text = inspect.getdoc(reference) or ""
     found = [match.groups() for match in _SENTENCE.finditer(text)]

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 Case = Mapping[str, Any]
-Repair = Callable[[Case, Any, Any], Any]  # of a case, what is right, and what was given
+Repair = Callable[[Case, object, object], object]  # of a case, what is right, and what was given
 _PLACES = ("first", "second", "third", "fourth")
 _MOST_NUMBERS = 20_000
 
@@ -40,23 +40,23 @@ def repairs() -> Iterator[tuple[str, str, Repair]]:
     yield from _UNUSUAL
 
 
-def _other_order(_: Case, right: Any, given: Any) -> Any:
+def _other_order(_: Case, right: object, given: object) -> object:
     if not (isinstance(given, list) and len(given) == 2 and isinstance(right, list)):
         raise NotForThis
     return given[::-1]
 
 
-def _only_the_first(_: Case, right: Any, given: Any) -> Any:
+def _only_the_first(_: Case, right: object, given: object) -> object:
     if not (isinstance(right, list) and len(right) in (2, 3, 4)):
         raise NotForThis
     return [given, *right[1:]]
 
 
-def _reversed(_: Case, right: Any, given: Any) -> Any:
+def _reversed(_: Case, right: Any, given: Any) -> object:
     return given[::-1]
 
 
-def _in_shape(_: Case, right: Any, given: Any) -> Any:
+def _in_shape(_: Case, right: object, given: object) -> object:
     array, wanted = np.asarray(given), np.asarray(right)
     if array.dtype.kind not in "iufb" or array.shape == wanted.shape or array.size != wanted.size:
         raise NotForThis
@@ -66,42 +66,42 @@ def _in_shape(_: Case, right: Any, given: Any) -> Any:
     return shaped if isinstance(right, np.ndarray) else shaped.tolist()
 
 
-def _list_of_dict(_: Case, right: Any, given: Any) -> Any:
+def _list_of_dict(_: Case, right: object, given: object) -> object:
     if not isinstance(given, dict) or isinstance(right, dict):
         raise NotForThis
     return list(given.values())
 
 
-def _of_text(_: Case, right: Any, given: Any) -> Any:
+def _of_text(_: Case, right: object, given: object) -> object:
     if isinstance(given, str) and isinstance(right, int | float):
         return float(given)
     raise NotForThis
 
 
-def _numbers(given: Any) -> np.ndarray:
+def _numbers(given: object) -> np.ndarray:
     array = np.asarray(given)
     if array.dtype.kind not in "iuf" or array.size > _MOST_NUMBERS:
         raise NotForThis
     return array
 
 
-def _like(given: Any, made: np.ndarray) -> Any:
+def _like(given: object, made: np.ndarray) -> object:
     return made if isinstance(given, np.ndarray) else made.tolist()
 
 
-def _less_one(_: Case, right: Any, given: Any) -> Any:
+def _less_one(_: Case, right: object, given: object) -> object:
     return _like(given, _numbers(given) - 1)
 
 
-def _radians(_: Case, right: Any, given: Any) -> Any:
+def _radians(_: Case, right: object, given: object) -> object:
     return _like(given, np.radians(_numbers(given)))
 
 
-def _negative(_: Case, right: Any, given: Any) -> Any:
+def _negative(_: Case, right: object, given: object) -> object:
     return _like(given, -_numbers(given))
 
 
-def _of_mask(_: Case, right: Any, given: Any) -> Any:
+def _of_mask(_: Case, right: object, given: object) -> object:
     mask = np.asarray(given)
     if mask.dtype.kind != "b" or mask.ndim != 1:
         raise NotForThis
@@ -129,14 +129,14 @@ def _of_entries(case: Case, right: Any, given: Any) -> Any:
     return np.flatnonzero(same.any(axis=0))
 
 
-def _of_count(_: Case, right: Any, given: Any) -> Any:
+def _of_count(_: Case, right: Any, given: Any) -> object:
     if isinstance(given, bool | list | np.ndarray) or given != len(right):
         raise NotForThis
     return right
 
 
 def _at(place: int, repair: Repair) -> Repair:
-    def repaired(case: Case, right: Any, given: Any) -> Any:
+    def repaired(case: Case, right: Any, given: Any) -> object:
         if not (isinstance(given, list) and place < len(given) == len(right) <= len(_PLACES)):
             raise NotForThis
         mended = repair(case, right[place], given[place])
@@ -146,7 +146,7 @@ def _at(place: int, repair: Repair) -> Repair:
 
 
 def _in_each(repair: Repair) -> Repair:
-    def repaired(case: Case, right: Any, given: Any) -> Any:
+    def repaired(case: Case, right: object, given: object) -> object:
         if not (isinstance(given, list) and isinstance(right, list) and len(given) == len(right)):
             raise NotForThis
         pairs = zip(right, given, strict=True)

@@ -13,7 +13,7 @@ from autograder.exchange.sizes import BYTES_A_LIST, BYTES_A_NUMBER, count_parts,
 _MOST_NUMBERS = 400
 
 
-def shown_outcome(cases: Sequence[dict[str, Any]], outcomes: Sequence[Any]) -> Any:
+def shown_outcome(cases: Sequence[dict[str, object]], outcomes: Sequence[object]) -> object:
     """The value for the first case, if that is public and the value is a few numbers.
 
     Only the first: `Drawn.opening` asks it before anything hidden has been sent, so that there is
@@ -24,14 +24,14 @@ def shown_outcome(cases: Sequence[dict[str, Any]], outcomes: Sequence[Any]) -> A
     return shown_value(outcomes[0].get("value"))
 
 
-def shown_value(value: Any, limit: int = _MOST_NUMBERS) -> Any:
+def shown_value(value: object, limit: int = _MOST_NUMBERS) -> object:
     """A returned value as JSON data of at most ``limit`` numbers, in few lists.
 
     None if it is anything else.
     """
     count = 0
 
-    def plain(entry: Any, depth: int) -> Any:
+    def plain(entry: object, depth: int) -> Any:
         nonlocal count
         if isinstance(entry, np.ndarray):
             # Rows without columns are lists as well, although they hold no number.

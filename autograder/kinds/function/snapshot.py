@@ -54,7 +54,7 @@ def _is_wrong(case: dict[str, Any], outcome: Any) -> bool:
     )
 
 
-def _alike(expected: Any, actual: Any) -> bool:
+def _alike(expected: object, actual: object) -> bool:
     """Whether a value is of the expected one's make: numbers where numbers are, lists for lists."""
     try:
         right, given = np.asarray(expected), np.asarray(actual)

@@ -78,7 +78,7 @@ def forgives(expected: Expected, index: int) -> bool:
     )
 
 
-def _variants(value: Any) -> Iterator[Any]:
+def _variants(value: object) -> Iterator[object]:
     for change in (
         lambda array: array[::-1] if array.ndim else array,
         lambda array: -array if array.dtype.kind == "f" else array,
@@ -91,7 +91,7 @@ def _variants(value: Any) -> Iterator[Any]:
                 yield [*value[:position], _changed(entry, change), *value[position + 1 :]]
 
 
-def _changed(value: Any, change: Callable[[np.ndarray], np.ndarray]) -> Any:
+def _changed(value: object, change: Callable[[np.ndarray], np.ndarray]) -> object:
     """A value with every array and every list of numbers in it changed."""
     try:
         array = np.asarray(value)
@@ -103,12 +103,12 @@ def _changed(value: Any, change: Callable[[np.ndarray], np.ndarray]) -> Any:
     return [_changed(entry, change) for entry in value] if isinstance(value, list) else value
 
 
-def _differs(expected: Expected, index: int, outcomes: Sequence[Any]) -> bool:
+def _differs(expected: Expected, index: int, outcomes: Sequence[object]) -> bool:
     """Whether a check that only compares numbers sees a mistake in a case."""
     return not agrees(close, expected.cases[index], expected.outcomes[index], outcomes[index])
 
 
-def _is_fixed(case: dict[str, Any], others: Sequence[dict[str, Any]]) -> bool:
+def _is_fixed(case: dict[str, object], others: Sequence[dict[str, object]]) -> bool:
     """Whether a case stands with the very same inputs in another draw."""
     return any(
         close({}, pack(case["args"]), pack(other["args"]))

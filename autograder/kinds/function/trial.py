@@ -25,7 +25,7 @@ from autograder.marking.mutants.mutant import Mutant, Trial
 _LEAST_SECONDS = 0.5  # of a processor
 _TIMES_AS_LONG = 20
 
-Call = Callable[..., Any]
+Call = Callable[..., object]
 
 
 class FunctionTrial(Trial):
@@ -98,7 +98,7 @@ class FunctionTrial(Trial):
         return self._seeds[seed]
 
 
-def outcome_of(call: Call, case: dict[str, Any]) -> Outcome:
+def outcome_of(call: Call, case: dict[str, object]) -> Outcome:
     """What a function of the course makes of one case."""
     with np.errstate(all="ignore"):
         try:
@@ -192,13 +192,13 @@ def _names(tree: ast.FunctionDef) -> list[str]:
     return [entry.arg for entry in (*tree.args.posonlyargs, *tree.args.args)]
 
 
-def _is_number_like(value: Any) -> bool:
+def _is_number_like(value: object) -> bool:
     if isinstance(value, np.ndarray):
         return value.dtype.kind == "f" and value.size > 0
     return isinstance(value, int | float) and not isinstance(value, bool)
 
 
-def _scaled(value: Any, how: str) -> Any:
+def _scaled(value: Any, how: str) -> object:
     """An argument, changed; whole numbers stay whole, and nothing stays nothing."""
     if value is None:
         return None
@@ -218,7 +218,7 @@ def _changes(reference: Call, name: str) -> Call:
     """The reference, which afterwards changes one of its inputs."""
     names = _names(tree_of(reference))  # type: ignore[arg-type]
 
-    def changed(*args: Any, **kwargs: Any) -> Any:
+    def changed(*args: object, **kwargs: object) -> Any:
         result = reference(*args, **kwargs)
         value = {**dict(zip(names, args, strict=False)), **kwargs}.get(name)
         if isinstance(value, np.ndarray) and value.size and value.flags.writeable:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from autograder.kinds.function.question import Function
 from autograder.student.widgets.value import ValueWidget
 
@@ -13,5 +11,5 @@ class FunctionWidget(ValueWidget):
 
     question: Function
 
-    def understood(self, value: Any) -> str:
+    def understood(self, value: object) -> str:
         return ""

@@ -26,19 +26,19 @@ class NumberKind(CodeKind[Number, NumberAnswer]):
     question_type = Number
     answer_type = NumberAnswer
 
-    def fits(self, question: Number, response: Any) -> bool:
+    def fits(self, question: Number, response: object) -> bool:
         return _is_finite_number(response)
 
     def read_typed(
-        self, question: Number, text: str, variables: Mapping[str, Any]
-    ) -> tuple[Any, Any]:
+        self, question: Number, text: str, variables: Mapping[str, object]
+    ) -> tuple[object, object]:
         value = read_number(text, variables)
         return value, value
 
-    def typed_value(self, question: Number, response: Any) -> Any:
+    def typed_value(self, question: Number, response: object) -> object:
         return response
 
-    def typed_cell(self, question: Number, response: Any) -> str | None:
+    def typed_cell(self, question: Number, response: object) -> str | None:
         if isinstance(response, bool) or not isinstance(response, int | float):
             return None
         return assign_if_open(question.variable, repr(response))
@@ -48,7 +48,7 @@ class NumberKind(CodeKind[Number, NumberAnswer]):
         question: Number,
         answer: NumberAnswer,
         drawn: Drawn,
-        response: dict[str, Any],
+        response: dict[str, object],
         understood: str,
     ) -> Mark | None:
         value = response.get("value")
@@ -61,7 +61,7 @@ class NumberKind(CodeKind[Number, NumberAnswer]):
 
         return NumberWidget(desk, question, *checked)
 
-    def response_like(self, question: Number, alternative: Alternative, drawn: Drawn) -> Any:
+    def response_like(self, question: Number, alternative: Alternative, drawn: Drawn) -> object:
         assert isinstance(alternative, NumberAlternative)
         return {"state": "given", "value": alternative.value}
 
@@ -71,7 +71,7 @@ class NumberKind(CodeKind[Number, NumberAnswer]):
                 yield question.printed(entry.value)
 
 
-def _is_finite_number(value: Any) -> TypeGuard[int | float]:
+def _is_finite_number(value: object) -> TypeGuard[int | float]:
     if isinstance(value, bool) or not isinstance(value, int | float):
         return False
     try:

@@ -16,7 +16,7 @@ _OF_MATH = (
 )
 
 
-def read_number(text: str, variables: Mapping[str, Any]) -> int | float:
+def read_number(text: str, variables: Mapping[str, object]) -> int | float:
     """What a typed answer means.
 
     Args:
@@ -26,7 +26,7 @@ def read_number(text: str, variables: Mapping[str, Any]) -> int | float:
     Raises:
         UsageError: if it is not understood; the sentence says at which point.
     """
-    functions: dict[str, Callable[..., Any]] = {name: getattr(math, name) for name in _OF_MATH}
+    functions: dict[str, Callable[..., object]] = {name: getattr(math, name) for name in _OF_MATH}
     functions |= {"abs": abs, "round": round}
     functions |= {"comb": _count(math.comb), "perm": _count(math.perm)}
     tree = parse(text, functions)
@@ -50,7 +50,7 @@ def read_number(text: str, variables: Mapping[str, Any]) -> int | float:
     return value
 
 
-def _count(function: Callable[[int, int], int]) -> Callable[[Any, Any], int]:
+def _count(function: Callable[[int, int], int]) -> Callable[[object, object], int]:
     """``comb`` or ``perm`` for numbers that are not absurd."""
 
     def counted(n: Any, k: Any) -> int:

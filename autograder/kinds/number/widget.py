@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from autograder.kinds.number.question import Number
 from autograder.reports.markdown import inline
 from autograder.student.widgets.value import ValueWidget
@@ -14,9 +12,9 @@ class NumberWidget(ValueWidget):
 
     question: Number
 
-    def what_is_fixed(self) -> dict[str, Any]:
+    def what_is_fixed(self) -> dict[str, object]:
         return {**super().what_is_fixed(), "unit": self.question.unit}
 
-    def understood(self, value: Any) -> str:
+    def understood(self, value: object) -> str:
         shown = super().understood(value)
         return f"{shown} {inline(self.question.unit)}" if shown else ""

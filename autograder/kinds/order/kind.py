@@ -30,19 +30,19 @@ class OrderKind(ChoiceKind[Order, OrderAnswer]):
         if is_right(question.start, answer):
             yield "its cards are dealt in a right order; deal them otherwise."
 
-    def fits(self, question: Order, response: Any) -> bool:
+    def fits(self, question: Order, response: object) -> bool:
         return given.fits(question, response)
 
     def is_untouched(self, question: Order, response: Any) -> bool:
         return tuple(response) == question.start
 
-    def read_response(self, question: Order, response: Any) -> Any:
+    def read_response(self, question: Order, response: object) -> object:
         return given.read_response(question, response)
 
     def in_words(self, question: Order, response: Any) -> str:
         return given.in_words(question, response)
 
-    def mark_choice(self, question: Order, answer: OrderAnswer, response: Any) -> Mark:
+    def mark_choice(self, question: Order, answer: OrderAnswer, response: object) -> Mark:
         return mark_order(question, answer, response)
 
     def lines(self, question: Order, response: Any) -> list[str]:

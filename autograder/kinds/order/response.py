@@ -8,7 +8,7 @@ from autograder.errors import UsageError
 from autograder.kinds.order.question import Order
 
 
-def fits(question: Order, response: Any) -> bool:
+def fits(question: Order, response: object) -> bool:
     """Whether the response is a list that names every card exactly once."""
     return (
         isinstance(response, list | tuple)

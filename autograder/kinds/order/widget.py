@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
 
 from autograder.kinds.order.question import Order
 from autograder.kinds.order.response import read_response
@@ -21,14 +20,14 @@ class OrderWidget(ChoiceWidget):
     _css = source("common.css", HERE / "widget.css")
     question: Order
 
-    def what_is_fixed(self) -> dict[str, Any]:
+    def what_is_fixed(self) -> dict[str, object]:
         cards = [
             {"id": card.id, "text": card.text, "html": inline(card.text)}
             for card in self.question.cards
         ]
         return {**super().what_is_fixed(), "cards": cards}
 
-    def do_order(self, message: dict[str, Any]) -> dict[str, Any]:
+    def do_order(self, message: dict[str, object]) -> dict[str, object]:
         """Keep the order in which the cards lie now."""
         order = read_response(self.question, message["cards"])
         self.desk.keep(self.question, lambda before: order)

@@ -25,13 +25,13 @@ class TextKind(ChoiceKind[Text, TextAnswer]):
     def check_answer(self, question: Text, answer: TextAnswer) -> None:
         check_text(question, answer)
 
-    def fits(self, question: Text, response: Any) -> bool:
+    def fits(self, question: Text, response: object) -> bool:
         return isinstance(response, str) and len(response) <= question.longest
 
-    def is_untouched(self, question: Text, response: Any) -> bool:
+    def is_untouched(self, question: Text, response: object) -> bool:
         return not str(response).strip()
 
-    def read_response(self, question: Text, response: Any) -> Any:
+    def read_response(self, question: Text, response: object) -> object:
         if not isinstance(response, str):
             raise UsageError(f"{question.id} asks for words: respond with a text in quotes.")
         response = "".join(c if c >= " " or c in "\n\t" else " " for c in response)
@@ -42,10 +42,10 @@ class TextKind(ChoiceKind[Text, TextAnswer]):
             )
         return response
 
-    def in_words(self, question: Text, response: Any) -> str:
+    def in_words(self, question: Text, response: object) -> str:
         return str(response)
 
-    def mark_choice(self, question: Text, answer: TextAnswer, response: Any) -> Mark:
+    def mark_choice(self, question: Text, answer: TextAnswer, response: object) -> Mark:
         if not isinstance(response, str) or self.is_untouched(question, response):
             return not_attempted(question)
         # One that is too long was not written in the field; whoever marks it sees that it is cut.
@@ -61,7 +61,7 @@ class TextKind(ChoiceKind[Text, TextAnswer]):
             understood=shown,
         )
 
-    def lines(self, question: Text, response: Any) -> list[str]:
+    def lines(self, question: Text, response: object) -> list[str]:
         kept = [f"> {line}" for line in str(response).splitlines()] if response else []
         return [*kept, "", f'Answer with `ask("{question.id}").respond("""...""")`.']
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
 
 from autograder.kinds.registry import kind_of
 from autograder.kinds.text.question import Text
@@ -21,14 +20,14 @@ class TextWidget(ChoiceWidget):
     _css = source("common.css", HERE / "widget.css")
     question: Text
 
-    def what_is_fixed(self) -> dict[str, Any]:
+    def what_is_fixed(self) -> dict[str, object]:
         return {**super().what_is_fixed(), "longest": self.question.longest, "marks": False}
 
-    def what_is_kept(self) -> dict[str, Any]:
+    def what_is_kept(self) -> dict[str, object]:
         kept = super().what_is_kept()
         return {**kept, "shown": markdown(kept["response"]) if kept["response"] else ""}
 
-    def do_write(self, message: dict[str, Any]) -> dict[str, Any]:
+    def do_write(self, message: dict[str, object]) -> dict[str, object]:
         """Keep what stands in the field."""
         said = kind_of(self.question).read_response(self.question, message["text"])
         self.desk.keep(self.question, lambda before: said)

@@ -29,19 +29,19 @@ class TrueFalseKind(ChoiceKind[TrueFalse, TrueFalseAnswer]):
                 f"but the question asks {len(question.statements)}"
             )
 
-    def fits(self, question: TrueFalse, response: Any) -> bool:
+    def fits(self, question: TrueFalse, response: object) -> bool:
         return given.fits(question, response)
 
     def is_untouched(self, question: TrueFalse, response: Any) -> bool:
         return all(said is None for said in response)
 
-    def read_response(self, question: TrueFalse, response: Any) -> Any:
+    def read_response(self, question: TrueFalse, response: object) -> object:
         return given.read_response(question, response)
 
     def in_words(self, question: TrueFalse, response: Any) -> str:
         return given.in_words(response)
 
-    def mark_choice(self, question: TrueFalse, answer: TrueFalseAnswer, response: Any) -> Mark:
+    def mark_choice(self, question: TrueFalse, answer: TrueFalseAnswer, response: object) -> Mark:
         return mark_true_false(question, answer, response)
 
     def lines(self, question: TrueFalse, response: Any) -> list[str]:

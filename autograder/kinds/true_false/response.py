@@ -8,7 +8,7 @@ from autograder.errors import UsageError
 from autograder.kinds.true_false.question import TrueFalse
 
 
-def fits(question: TrueFalse, response: Any) -> bool:
+def fits(question: TrueFalse, response: object) -> bool:
     """Whether the response is a list of True, False or None, one for each statement."""
     return (
         isinstance(response, list | tuple)

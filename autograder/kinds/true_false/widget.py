@@ -32,8 +32,8 @@ class TrueFalseWidget(ChoiceWidget):
         if not (isinstance(at, int) and 0 <= at < count and isinstance(said, bool)):
             raise UsageError(f"{self.question.id} has no such statement; run the cell again.")
 
-        def chosen(response: list[bool | None] | None) -> list[bool | None]:
-            now = list(response or [None] * count)
+        def chosen(response: object) -> list[bool | None]:
+            now = list(response) if isinstance(response, list) else [None] * count
             now[at] = said
             return now
 

@@ -50,7 +50,7 @@ def with_changed(
     changed: FunctionType,
     tree: ast.FunctionDef,
     more: Mapping[str, Any] | None = None,
-) -> Callable[..., Any]:
+) -> Callable[..., object]:
     """``function`` as it is when ``changed``, one of those it reaches, has another tree.
 
     ``more`` are names that the tree uses beyond those of its module.

@@ -41,7 +41,7 @@ def results(course: Course, record: Record, explanations: bool = False) -> dict[
     }
 
 
-def failure(sentence: str, most: float) -> dict[str, Any]:
+def failure(sentence: str, most: float) -> dict[str, object]:
     """Results that say to students that grading failed, and earn nothing yet."""
     return {
         "score": 0.0,
@@ -53,7 +53,7 @@ def failure(sentence: str, most: float) -> dict[str, Any]:
     }
 
 
-def _test(question: Question, record: Record, explanations: bool) -> dict[str, Any]:
+def _test(question: Question, record: Record, explanations: bool) -> dict[str, object]:
     mark = record.marks.get(question.id)
     points = record.points(question.id) or 0.0
     return {

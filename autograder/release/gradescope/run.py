@@ -13,7 +13,6 @@ import sys
 import traceback
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
 
 from autograder.course import load_course
 from autograder.gradebook.record import Record
@@ -45,7 +44,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     return 0
 
 
-def _grade(root: Path, course_root: Path, explanations: bool) -> dict[str, Any]:
+def _grade(root: Path, course_root: Path, explanations: bool) -> dict[str, object]:
     course = load_course(course_root)
     submission = Submission(_student(root), root / "submission")
     marker = Marker(course, secrets.randbits(32), tells=False)

@@ -16,7 +16,7 @@ _CELLS = ("<ipython-input", "ipykernel")
 
 def tell(error: BaseException) -> dict[str, Any]:
     """The message, and the last line of a cell on the way to the error with its number."""
-    told: dict[str, Any] = {"kind": type(error).__name__, "message": _message(error)}
+    told: dict[str, object] = {"kind": type(error).__name__, "message": _message(error)}
     if isinstance(error, ModuleNotFoundError) and isinstance(error.name, str):
         told["module"] = error.name[:100]
     if isinstance(error, SyntaxError):
@@ -77,5 +77,5 @@ def _message(error: BaseException) -> str:
         return ""
 
 
-def _short(text: Any, most: int = 200) -> str:
+def _short(text: object, most: int = 200) -> str:
     return text.strip()[:most] if isinstance(text, str) else ""

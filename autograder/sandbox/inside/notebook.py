@@ -111,7 +111,7 @@ class Notebook:
         value = self._shell.user_ns.get(name)
         return type(value) in _PLAIN or ("sympy" in sys.modules and is_plain(value))
 
-    def evaluate_within(self, seconds: float, name: str, probe: dict[str, Any]) -> Any:
+    def evaluate_within(self, seconds: float, name: str, probe: dict[str, object]) -> Any:
         """As `evaluate`, interrupted after some seconds.
 
         Raises:
@@ -189,7 +189,7 @@ class _Interrupted:
             signal.setitimer(signal.ITIMER_PROF, 0)
             signal.setitimer(signal.ITIMER_REAL, 0)
 
-    def _interrupt(self, number: int, frame: Any) -> None:
+    def _interrupt(self, number: int, frame: object) -> None:
         if not self._inside:  # one that was on its way as the code ended
             return
         self.fired = True
@@ -205,7 +205,7 @@ def _own_clock() -> float:
     return time.monotonic() - waited / 1e9
 
 
-def _described(response: Any) -> str:
+def _described(response: object) -> str:
     """What a response was understood as; a text that takes for ever is cut short."""
     try:
         with _Interrupted(_DESCRIBE_SECONDS, 10.0):
@@ -232,7 +232,7 @@ def _close_figures() -> None:
 
 def _recorded_responses() -> dict[str, Any]:
     """What ``ask(...).respond(...)`` in the cells wrote."""
-    responses: dict[str, Any] = {}
+    responses: dict[str, object] = {}
     for path in sorted(Path(os.environ["AUTOGRADER_RESPONSES"]).glob("*.json"))[:100]:
         try:
             if path.stat().st_size <= MAX_SAVED:
@@ -253,15 +253,15 @@ def _quiet_shell() -> Any:
     from traitlets.config import Config
 
     class NoResults(DisplayHook):
-        def __call__(self, result: Any = None) -> None:
+        def __call__(self, result: object = None) -> None:
             """Drop the value of a cell's last line."""
 
     class NoOutputs(DisplayPublisher):
-        def publish(self, *args: Any, **kwargs: Any) -> None:
+        def publish(self, *args: object, **kwargs: object) -> None:
             """Drop what display() shows."""
 
     class QuietShell(InteractiveShell):
-        def showtraceback(self, *args: Any, **kwargs: Any) -> None:
+        def showtraceback(self, *args: object, **kwargs: object) -> None:
             """Formatting a traceback costs more than most cells."""
 
         showsyntaxerror = showtraceback
@@ -273,18 +273,18 @@ def _quiet_shell() -> Any:
 
         system_piped = system_raw = system
 
-        def getoutput(self, cmd: str, split: bool = True, depth: int = 0) -> Any:
+        def getoutput(self, cmd: str, split: bool = True, depth: int = 0) -> object:
             """``x = !command`` gives nothing."""
             return SList() if split else ""
 
-        def enable_gui(self, gui: Any = None) -> None:
+        def enable_gui(self, gui: object = None) -> None:
             """There is no window to show."""
 
-        def enable_matplotlib(self, gui: Any = None) -> tuple[str, str]:
+        def enable_matplotlib(self, gui: object = None) -> tuple[str, str]:
             """``%matplotlib inline`` would draw every figure."""
             return "inline", "agg"
 
-    def show_nothing(response: Any, *arguments: Any, **options: Any) -> Any:
+    def show_nothing(response: object, *arguments: object, **options: object) -> object:
         """Do not even ask an object how it would be shown."""
         return {}, {}
 
@@ -296,7 +296,7 @@ def _quiet_shell() -> Any:
 
     shell.display_formatter.format = show_nothing
 
-    def do_nothing(self: Any, line: str = "", cell: str = "") -> None:
+    def do_nothing(self: object, line: str = "", cell: str = "") -> None:
         """``%%bash`` and its like do nothing here."""
 
     ScriptMagics.shebang = do_nothing

@@ -30,7 +30,7 @@ def public_name(error: BaseException) -> str:
     return "Exception"
 
 
-def describe(response: Any, limit: int = 200) -> str:
+def describe(response: object, limit: int = 200) -> str:
     """How a response was understood, as one short printable line."""
     if callable(response) and hasattr(response, "__name__"):
         text = f"function {response.__name__}"
@@ -77,7 +77,7 @@ def plain_number(response: Any) -> int | float:
     raise Unusable("not a number")
 
 
-def only_entry(response: Any) -> Any:
+def only_entry(response: object) -> object:
     """The one entry of ``[x]``, ``{x}`` or a one-element array, as ``sympy.solve`` returns it."""
     if isinstance(response, np.ndarray):
         if response.size != 1:
@@ -90,13 +90,13 @@ def only_entry(response: Any) -> Any:
     return response
 
 
-def is_sympy(response: Any) -> bool:
+def is_sympy(response: object) -> bool:
     """Whether it is something of sympy's. Sympy is not imported for it."""
     sympy = sys.modules.get("sympy")
     return sympy is not None and isinstance(response, sympy.Basic)
 
 
-def is_plain(expression: Any) -> bool:
+def is_plain(expression: object) -> bool:
     """Whether every part is sympy's own, so that evaluating it runs none of the student's code."""
     import sympy as sp
 
@@ -112,7 +112,7 @@ def _is_of_sympy(kind: type) -> bool:
     return kind.__module__.partition(".")[0] == "sympy"
 
 
-def to_plain(value: Any, depth: int = 0) -> Any:
+def to_plain(value: object, depth: int = 0) -> object:
     """A returned value as plain data: subclasses lose their class, named tuples become lists.
 
     Raises:
@@ -150,7 +150,7 @@ def to_plain(value: Any, depth: int = 0) -> Any:
     raise Unusable("not plain")
 
 
-def _key(key: Any) -> str:
+def _key(key: object) -> str:
     """JSON's keys are strings; a number as a key is written as one."""
     if isinstance(key, str):
         return key

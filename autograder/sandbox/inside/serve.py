@@ -112,7 +112,9 @@ def _evaluate(channel: Channel, notebook: Notebook, message: dict[str, Any]) -> 
         channel.send({"nonce": nonce, "ended_by": ended_by})
 
 
-def _answer(channel: Channel, nonce: str, reply: dict[str, Any], most: int | None = None) -> None:
+def _answer(
+    channel: Channel, nonce: str, reply: dict[str, object], most: int | None = None
+) -> None:
     try:
         channel.send({"nonce": nonce, "reply": reply}, most=most)
     except wire.TooLarge:

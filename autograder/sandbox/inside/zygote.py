@@ -286,7 +286,7 @@ class Zygote:
         if data.is_dir():
             (self._work / "data").symlink_to(data)
 
-    def _say(self, message: dict[str, Any]) -> None:
+    def _say(self, message: dict[str, object]) -> None:
         with suppress(OSError):  # the grader has gone; the closed socket ends the loop
             self._control.send(json.dumps(message).encode())
 
@@ -298,7 +298,7 @@ def _why(status: int) -> str:
     return "it ended its own process"
 
 
-def _short_of(error: BaseException) -> dict[str, Any]:
+def _short_of(error: BaseException) -> dict[str, object]:
     """The system's number of an error, and the file or the limit that it is about."""
     if isinstance(error, MemoryError):
         return {"short": errno.ENOMEM, "where": ""}

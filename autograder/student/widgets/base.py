@@ -47,11 +47,11 @@ class CourseWidget(anywidget.AnyWidget):
         self.on_msg(self._receive)
         desk.watch(self)
 
-    def what_is_fixed(self) -> dict[str, Any]:
+    def what_is_fixed(self) -> dict[str, object]:
         """What the browser needs once."""
         raise NotImplementedError
 
-    def what_is_kept(self) -> dict[str, Any]:
+    def what_is_kept(self) -> dict[str, object]:
         """What the browser shows as answered, read anew from the truth."""
         raise NotImplementedError
 
@@ -73,8 +73,8 @@ class CourseWidget(anywidget.AnyWidget):
         self.layout.close()
         super().close()
 
-    def _receive(self, widget: Any, message: dict[str, Any], buffers: Any) -> None:
-        reply: dict[str, Any] = {"seq": message.get("seq"), "ok": True, "said": ""}
+    def _receive(self, widget: object, message: dict[str, object], buffers: object) -> None:
+        reply: dict[str, object] = {"seq": message.get("seq"), "ok": True, "said": ""}
         try:
             reply |= getattr(self, f"do_{message['do']}")(message) or {}
         except AutograderError as error:
@@ -87,6 +87,6 @@ class CourseWidget(anywidget.AnyWidget):
         self.state = self.what_is_kept()
         self.send(reply)
 
-    def do_hello(self, message: dict[str, Any]) -> dict[str, Any]:
+    def do_hello(self, message: dict[str, object]) -> dict[str, object]:
         """The browser asks whether anybody is here."""
         return {}

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from autograder.kinds.question import Question
 from autograder.kinds.registry import kind_of
 from autograder.student.desk import Desk
@@ -19,12 +17,12 @@ class ChoiceWidget(QuestionWidget):
             self.remark(lambda: desk.mark_choice(question, count=False))
             self.state = self.what_is_kept()
 
-    def words(self, response: Any) -> str:
+    def words(self, response: object) -> str:
         if response is None:
             return super().words(None)
         return kind_of(self.question).in_words(self.question, response)
 
-    def do_check(self, message: dict[str, Any]) -> dict[str, Any]:
+    def do_check(self, message: dict[str, object]) -> dict[str, object]:
         """Mark what is kept and count an attempt."""
         self.show_mark(self.desk.mark_choice(self.question))
         return {}

@@ -24,7 +24,7 @@ class PredictionWidget(CourseWidget):
         self.topic = prediction.id
         super().__init__(desk)
 
-    def what_is_fixed(self) -> dict[str, Any]:
+    def what_is_fixed(self) -> dict[str, object]:
         prediction = self.prediction
         return {
             "label": f"{prediction.id} · Predict",
@@ -33,7 +33,7 @@ class PredictionWidget(CourseWidget):
             "unit": prediction.unit,
         }
 
-    def what_is_kept(self) -> dict[str, Any]:
+    def what_is_kept(self) -> dict[str, object]:
         value = self.desk.prediction(self.prediction)
         return {"said": "" if value is None else inline(self.prediction.in_words(value))}
 
@@ -41,7 +41,7 @@ class PredictionWidget(CourseWidget):
         value = self.desk.prediction(self.prediction)
         said = "nothing yet." if value is None else self.prediction.in_words(value)
         words = f"Predicted for {self.prediction.id}: {said}"
-        bundle: dict[str, Any] = {
+        bundle: dict[str, object] = {
             "text/plain": words,
             "text/html": f'<p class="autograder-receipt"><small>{escaped(words)}</small></p>',
         }
@@ -54,7 +54,7 @@ class PredictionWidget(CourseWidget):
         self.desk.predict(self.prediction, self.prediction.choices[int(message["choice"])])
         return {}
 
-    def do_type(self, message: dict[str, Any]) -> dict[str, Any]:
+    def do_type(self, message: dict[str, object]) -> dict[str, object]:
         """Keep a number that was typed."""
         self.desk.predict(self.prediction, _number(str(message["text"])))
         return {}
@@ -69,7 +69,7 @@ def _number(text: str) -> Any:
         UsageError: if it is none.
     """
 
-    def no_name(name: str) -> Any:
+    def no_name(name: str) -> object:
         raise UsageError(f"{name} is not a number here.")
 
     try:

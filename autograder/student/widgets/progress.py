@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from autograder.student.desk import Desk
 from autograder.student.responses import answered, points
 from autograder.student.views import number
@@ -19,10 +17,10 @@ class ProgressWidget(CourseWidget):
     def __init__(self, desk: Desk) -> None:
         super().__init__(desk)
 
-    def what_is_fixed(self) -> dict[str, Any]:
+    def what_is_fixed(self) -> dict[str, object]:
         return {"label": "Progress"}
 
-    def what_is_kept(self) -> dict[str, Any]:
+    def what_is_kept(self) -> dict[str, object]:
         kept = self.desk.entries()
         chapters = []
         for chapter in self.desk.course.chapters:

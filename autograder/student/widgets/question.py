@@ -23,12 +23,12 @@ class QuestionWidget(CourseWidget):
         self.question = question
         self.topic = question.id
         self.mark: Mark | None = None
-        self.marked_response: Any = None
+        self.marked_response: object = None
         self._with_prompt = with_prompt
         self._refusal = desk.responses(question).refusal()
         super().__init__(desk)
 
-    def what_is_fixed(self) -> dict[str, Any]:
+    def what_is_fixed(self) -> dict[str, object]:
         question = self.question
         return {
             "label": f"{question.id} · {question.title}",
@@ -37,7 +37,7 @@ class QuestionWidget(CourseWidget):
             "marks": self.desk.can_mark(question),
         }
 
-    def what_is_kept(self) -> dict[str, Any]:
+    def what_is_kept(self) -> dict[str, object]:
         entry = self.desk.entry(self.question)
         count = attempts(entry)
         return {
@@ -48,7 +48,7 @@ class QuestionWidget(CourseWidget):
             "refusal": self._refusal,
         }
 
-    def mark_on_show(self, entry: Entry) -> dict[str, Any] | None:
+    def mark_on_show(self, entry: Entry) -> dict[str, object] | None:
         """The mark, as long as it belongs to what is kept."""
         mark = self.mark
         if mark is None or entry.get("response") != self.marked_response:
@@ -75,7 +75,7 @@ class QuestionWidget(CourseWidget):
         self.mark = mark
         self.marked_response = self.desk.entry(self.question).get("response")
 
-    def do_hint(self, message: dict[str, Any]) -> dict[str, Any]:
+    def do_hint(self, message: dict[str, object]) -> dict[str, object]:
         """Open one more hint."""
         self.desk.open_hint(self.question)
         return {}
@@ -83,7 +83,7 @@ class QuestionWidget(CourseWidget):
     def receipt(self) -> dict[str, Any] | None:
         response = self.desk.entry(self.question).get("response")
         words = f"Kept for {self.question.id}: {self.words(response)}"
-        bundle: dict[str, Any] = {
+        bundle: dict[str, object] = {
             "text/plain": words,
             # Hidden while the widget itself is drawn.
             "text/html": f'<p class="autograder-receipt"><small>{escaped(words)}</small></p>',
@@ -92,7 +92,7 @@ class QuestionWidget(CourseWidget):
             bundle[RECEIPT] = receipt(self.question.id, response)
         return bundle
 
-    def words(self, response: Any) -> str:
+    def words(self, response: object) -> str:
         """The response for people to read."""
         return "nothing yet." if response is None else str(response)
 

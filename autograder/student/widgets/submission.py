@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from datetime import datetime
-from typing import Any
 
 from autograder.student.desk import Desk
 from autograder.student.responses import answered
@@ -25,10 +24,10 @@ class SubmissionWidget(CourseWidget):
         self._take(packed)
         super().__init__(desk)
 
-    def what_is_fixed(self) -> dict[str, Any]:
+    def what_is_fixed(self) -> dict[str, object]:
         return {"label": "Submission"}
 
-    def what_is_kept(self) -> dict[str, Any]:
+    def what_is_kept(self) -> dict[str, object]:
         packed = self._packed
         kept = self.desk.entries()
         return {
@@ -58,7 +57,7 @@ class SubmissionWidget(CourseWidget):
         self._stale = True
         super().follow(id)
 
-    def do_pack(self, message: dict[str, Any]) -> dict[str, Any]:
+    def do_pack(self, message: dict[str, object]) -> dict[str, object]:
         """Pack again."""
         self._take(self._pack())
         return {}

@@ -31,7 +31,7 @@ class ValueWidget(QuestionWidget):
         self,
         desk: Desk,
         question: Question,
-        value: Any = ...,
+        value: object = ...,
         mark: Mark | None = None,
     ) -> None:
         self.value = value
@@ -45,7 +45,7 @@ class ValueWidget(QuestionWidget):
             _assign(question, desk.typed(question))
         self.state = self.what_is_kept()
 
-    def what_is_fixed(self) -> dict[str, Any]:
+    def what_is_fixed(self) -> dict[str, object]:
         question = self.question
         return {
             **super().what_is_fixed(),
@@ -55,21 +55,21 @@ class ValueWidget(QuestionWidget):
             "symbols": [],
         }
 
-    def what_is_kept(self) -> dict[str, Any]:
+    def what_is_kept(self) -> dict[str, object]:
         value = self.desk.typed(self.question) if self.has_field else self.value
         return {**super().what_is_kept(), "understood": self.understood(value)}
 
-    def mark_on_show(self, entry: Entry) -> dict[str, Any] | None:
+    def mark_on_show(self, entry: Entry) -> dict[str, object] | None:
         shown = super().mark_on_show(entry)
         # The field itself says that nothing was answered.
         return None if shown and self.has_field and shown["status"] == "not attempted" else shown
 
-    def words(self, response: Any) -> str:
+    def words(self, response: object) -> str:
         if response is None and self.value is not ...:
             return describe(self.value)
         return super().words(response)
 
-    def understood(self, value: Any) -> str:
+    def understood(self, value: object) -> str:
         """A value as HTML, expressions typeset."""
         if value is ...:
             return ""
@@ -80,13 +80,13 @@ class ValueWidget(QuestionWidget):
             return f"{name} {formula(sp.latex(value))}"
         return f"{name} {inline(_plain(describe(value)))}"
 
-    def do_type(self, message: dict[str, Any]) -> dict[str, Any]:
+    def do_type(self, message: dict[str, object]) -> dict[str, object]:
         """Keep what is typed, as soon as it can be understood."""
         value = self.desk.keep_typed(self.question, str(message["text"]))
         _assign(self.question, value)
         return {"understood": self.understood(value)}
 
-    def do_check(self, message: dict[str, Any]) -> dict[str, Any]:
+    def do_check(self, message: dict[str, object]) -> dict[str, object]:
         """Keep and mark what is typed, and count an attempt."""
         reply = self.do_type(message)
         self.show_mark(self.desk.mark_value(self.question, ...))

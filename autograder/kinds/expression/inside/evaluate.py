@@ -33,7 +33,7 @@ def evaluate(response: Any, probe: dict[str, Any]) -> dict[str, Any]:
     return {"values": np.array([_values(entry, points) for entry in entries])}
 
 
-def _entries(response: Any) -> list[Any] | None:
+def _entries(response: object) -> list[Any] | None:
     """The entries of what sympy gives for one result or for several: a matrix, a set, a list."""
     if isinstance(response, list | tuple):
         return list(response)

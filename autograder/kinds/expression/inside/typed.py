@@ -15,7 +15,7 @@ _OF_SYMPY = (
 )
 
 
-def formula_of(id: str, text: str) -> Any:
+def formula_of(id: str, text: str) -> object:
     """The typed formula of a question of the course around, ``...`` where it is none."""
     from autograder.course import load_course
 
@@ -27,12 +27,12 @@ def formula_of(id: str, text: str) -> Any:
         return ...
 
 
-def in_a_cell(text: str) -> Any:
+def in_a_cell(text: str) -> object:
     """What a cell makes of a text by the course's author: ``sp`` is sympy, other names symbols."""
     import sympy as sp
 
-    class Names(dict[str, Any]):
-        def __missing__(self, name: str) -> Any:
+    class Names(dict[str, object]):
+        def __missing__(self, name: str) -> object:
             if hasattr(builtins, name):
                 raise KeyError(name)
             return sp.Symbol(name, real=True)
@@ -40,7 +40,7 @@ def in_a_cell(text: str) -> Any:
     return eval(text, {}, Names(sp=sp, sympy=sp))
 
 
-def read_expression(question: Expression, text: str) -> Any:
+def read_expression(question: Expression, text: str) -> object:
     """What a typed answer means, a sympy expression.
 
     Raises:

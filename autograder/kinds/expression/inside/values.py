@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-_FUNCTIONS: dict[str, Callable[..., Any]] = {
+_FUNCTIONS: dict[str, Callable[..., object]] = {
     "Abs": np.abs,
     "acos": np.arccos,
     "asin": np.arcsin,
@@ -36,7 +36,7 @@ class NotInTable(Exception):
     """Part of the expression is none of those that are known here."""
 
 
-def values_at(expression: Any, points: Mapping[str, Any]) -> Any:
+def values_at(expression: Any, points: Mapping[str, Any]) -> object:
     """Evaluate the expression with each symbol, by its name, replaced by its array.
 
     Raises:

@@ -20,7 +20,7 @@ class CountedDraws(np.random.Generator):
         self.drawn = 0
 
 
-def _counted(name: str) -> Callable[..., Any]:
+def _counted(name: str) -> Callable[..., object]:
     method = getattr(np.random.Generator, name)
 
     def draw(self: CountedDraws, *args: Any, **kwargs: Any) -> Any:

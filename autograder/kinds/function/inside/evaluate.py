@@ -53,7 +53,7 @@ def evaluate(response: Any, probe: dict[str, Any]) -> dict[str, Any]:
     return {"outcomes": outcomes, **({"told": told} if told and probe.get("tell") else {})}
 
 
-def _argument(value: Any) -> Any:
+def _argument(value: object) -> Any:
     """A fresh copy of an argument, so that changing it in place cannot reach the next case."""
     if isinstance(value, np.ndarray):
         return value.copy()

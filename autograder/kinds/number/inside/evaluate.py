@@ -7,7 +7,7 @@ from typing import Any
 from autograder.sandbox.inside.plain_data import only_entry, plain_number
 
 
-def evaluate(response: Any, probe: dict[str, Any]) -> dict[str, Any]:
+def evaluate(response: object, probe: dict[str, object]) -> dict[str, Any]:
     """The number that a response holds.
 
     Raises:
