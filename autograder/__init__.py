@@ -1,16 +1,26 @@
 """Questions in a notebook, marked outside of it: what a notebook imports.
 
 ``ask`` shows a question, ``check`` marks a response, ``predict`` keeps a prediction, which
-``predicted`` gives to a picture; ``progress`` sums up, ``submit`` packs what is handed in.
+``predicted`` gives to a picture; ``progress`` sums up, ``submit`` packs what is handed in. Where
+students have numbers of their own, ``me`` says whose they are, and ``numbers`` gives them.
 """
 
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from autograder.student.api import ask, check, me, predict, predicted, progress, submit
+    from autograder.student.api import (
+        ask,
+        check,
+        me,
+        numbers,
+        predict,
+        predicted,
+        progress,
+        submit,
+    )
 
 __version__ = "0.1.0"
-__all__ = ["ask", "check", "me", "predict", "predicted", "progress", "submit"]
+__all__ = ["ask", "check", "me", "numbers", "predict", "predicted", "progress", "submit"]
 
 
 def __getattr__(name: str) -> object:

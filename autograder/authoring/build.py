@@ -14,14 +14,18 @@ from pathlib import Path
 from typing import Any
 
 import nbformat
+from msgspec.structs import replace
 from nbclient import NotebookClient
 from nbclient.exceptions import CellExecutionError
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
 
+from autograder import __all__
 from autograder.authoring.executed import Executed
 from autograder.authoring.masters import Master, MasterCell, read_masters
 from autograder.course import DEMO, Course
 from autograder.errors import CourseError
+from autograder.kinds.exercise import heading as exercise_heading
+from autograder.kinds.question import Question
 from autograder.kinds.registry import kind_of
 
 STUDENT = Path("notebooks")
@@ -123,7 +127,7 @@ def write(built: list[Built]) -> list[Path]:
     changed = [entry for entry in built if _on_disk(entry.path) != entry.text]
     for entry in changed:
         entry.path.parent.mkdir(parents=True, exist_ok=True)
-        entry.path.write_text(entry.text, encoding="utf-8")
+        entry.path.write_text(entry.text, encoding="utf-8", newline="\n")
     return [entry.path for entry in changed]
 
 
@@ -144,7 +148,11 @@ def _assemble(course: Course, master: Master, solved: bool) -> object:
         question = course.question(cell.exercise)
         exercise = kind_of(question).exercise(question, course.key[question.id], course.root)
         slug = question.id.replace(".", "-")
-        notebook.cells.append(new_markdown_cell(exercise.heading, id=f"{slug}-question"))
+        asks = exercise.check is not None and course.personal and question.id in course.varied
+        heading = _heading_without_numbers(course, question) if asks else exercise.heading
+        notebook.cells.append(new_markdown_cell(heading, id=f"{slug}-question"))
+        if asks:  # a text that is written into the notebook would have the same numbers for all
+            notebook.cells.append(new_code_cell(f'ask("{question.id}")', id=f"{slug}-ask"))
         source = exercise.solved if solved else exercise.stub
         notebook.cells.append(new_code_cell(source, id=f"{slug}-response"))
         if exercise.check is not None:
@@ -152,10 +160,18 @@ def _assemble(course: Course, master: Master, solved: bool) -> object:
     return notebook
 
 
+def _heading_without_numbers(course: Course, question: Question) -> str:
+    """What stands above a question whose prompt is shown by a cell, to each with their numbers."""
+    title = str(course.varied[question.id].table["title"])
+    return exercise_heading(replace(question, title="your numbers" if "{" in title else title))
+
+
 def _start(master: Master) -> str:
     names = ["ask", "check", "progress", "submit"]
     if master.predictions:
         names[2:2] = ["predict", "predicted"]
+    names += [name for name in ("me", "numbers") if name in master.calls]
+    names.sort(key=__all__.index)
     return START.format(names=", ".join(names))
 
 

@@ -12,6 +12,7 @@ from autograder.course import Chapter, Course
 from autograder.errors import CourseError, UsageError
 
 MASTERS = Path("notebooks/source")
+_CALL = re.compile(r"(?<![\w.])(\w+)\(")
 _ASKS = re.compile(r"""\bpredict\(\s*["']([^"']*)["']""")
 
 
@@ -41,6 +42,12 @@ class Master:
     def stem(self) -> str:
         """The notebook's file name without its ending, such as ``3_ransac``."""
         return self.path.stem
+
+    @property
+    def calls(self) -> set[str]:
+        """The names of the functions that its cells call."""
+        code = (cell.source for cell in self.cells if cell.kind == "code")
+        return {name for source in code for name in _CALL.findall(source)}
 
     @property
     def predictions(self) -> list[str]:

@@ -9,18 +9,19 @@ import shutil
 import tempfile
 import tomllib
 from collections.abc import Iterator
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from importlib.metadata import PackageNotFoundError, distribution
 from pathlib import Path
 from string import Template
-from typing import Any
 from urllib.parse import unquote, urlparse
 
 from autograder import __version__
 from autograder.authoring.pyproject import ENGINE
 from autograder.authoring.schema import schema_files
-from autograder.course import Course, Settings
+from autograder.course import Course
+from autograder.course.settings import changed_limits
 from autograder.errors import UsageError
+from autograder.exchange.messages import Message
 
 TEMPLATE = Path(__file__).parent / "template"
 # Of the template, what belongs to the example chapter and is left out by `--from`.
@@ -99,12 +100,7 @@ def _like(layout: Course, text: str) -> str:
         text = re.sub(
             r"(?ms)^dependencies = \[.*?^\]", lambda _: f"dependencies = [\n{listed}\n]", text
         )
-    limits = [
-        f"{field.name} = {getattr(layout.settings, field.name)}"
-        for field in fields(Settings)
-        if type(field.default) in (int, float)
-        and getattr(layout.settings, field.name) != field.default
-    ]
+    limits = [f"{name} = {value}" for name, value in changed_limits(layout.settings).items()]
     return text.partition("[tool.autograder]\n")[0] + "\n".join(["[tool.autograder]", *limits, ""])
 
 
@@ -134,7 +130,7 @@ def engine_source() -> Source:
         noted = distribution(ENGINE).read_text("direct_url.json")
     except PackageNotFoundError:
         noted = None
-    origin: dict[str, Any] = json.loads(noted) if noted else {}
+    origin: Message = json.loads(noted) if noted else {}
     if "vcs_info" in origin:
         commit = str(origin["vcs_info"].get("commit_id", ""))
         return Source(None, str(origin["url"]), commit, str(origin.get("subdirectory", "")))

@@ -10,12 +10,12 @@ import json
 import re
 import tomllib
 from collections.abc import Iterator
-from dataclasses import fields
 from importlib.metadata import PackageNotFoundError, packages_distributions, requires
 from pathlib import Path
 from typing import Any
 
-from autograder.course import Course, Settings
+from autograder.course import Course
+from autograder.course.settings import changed_limits
 
 ENGINE = "course-autograder"
 LAB = "lab"
@@ -66,11 +66,7 @@ def bundle_pyproject(course: Course, suffix: str) -> str:
     newest = table.get("tool", {}).get("uv", {}).get("exclude-newer")
     if newest:
         lines += ["", "[tool.uv]", f"exclude-newer = {json.dumps(str(newest))}"]
-    limits = {
-        field.name: getattr(course.settings, field.name)
-        for field in fields(Settings)
-        if getattr(course.settings, field.name) != field.default
-    }
+    limits = changed_limits(course.settings)
     kinds = kinds_setting(course)
     if limits or kinds:
         settings = [f"{name} = {value}" for name, value in limits.items()]

@@ -13,7 +13,11 @@ import msgspec
 
 from autograder.course import ANSWERS, QUESTIONS
 from autograder.course.predictions import Prediction
+from autograder.course.settings import WrittenSettings
+from autograder.gradebook.read_scheme import WrittenScheme
+from autograder.intake.written_class import WrittenClass
 from autograder.kinds.registry import kind_named, kind_names
+from autograder.kinds.written import Written
 
 FOLDER = ".schemas"
 
@@ -27,6 +31,21 @@ path = "{folder}/questions.json"
 include = ["{answers}/*.toml"]
 [rule.schema]
 path = "{folder}/answers.json"
+
+[[rule]]
+include = ["**/class.toml"]
+[rule.schema]
+path = "{folder}/class.json"
+
+[[rule]]
+include = ["**/grading.toml"]
+[rule.schema]
+path = "{folder}/grading.json"
+
+[[rule]]
+include = ["pyproject.toml"]
+[rule.schema]
+path = "{folder}/settings.json"
 """
 
 
@@ -34,6 +53,9 @@ def schema_files() -> Iterator[tuple[str, str]]:
     """Each file's path within the course, and its text, for the kinds that are known by now."""
     yield f"{FOLDER}/questions.json", _text(questions_schema())
     yield f"{FOLDER}/answers.json", _text(answers_schema())
+    yield f"{FOLDER}/class.json", _text(_schema_of(WrittenClass, "The class and the late policy"))
+    yield f"{FOLDER}/grading.json", _text(_schema_of(WrittenScheme, "What counts after the exam"))
+    yield f"{FOLDER}/settings.json", _text(settings_schema())
     yield (
         ".taplo.toml",
         _TAPLO.format(questions=QUESTIONS.as_posix(), answers=ANSWERS.as_posix(), folder=FOLDER),
@@ -85,6 +107,36 @@ def answers_schema() -> dict[str, object]:
         "title": "The key to a chapter",
         "type": "object",
         "additionalProperties": {"anyOf": references},
+        "$defs": parts,
+    }
+
+
+def settings_schema() -> dict[str, object]:
+    """What may stand in a pyproject.toml: anything, but in ``[tool.autograder]`` only settings."""
+    settings = _schema_of(WrittenSettings, "The settings of a course")
+    parts = settings.pop("$defs")
+    dialect = settings.pop("$schema")
+    return {
+        "$schema": dialect,
+        "title": "A course's pyproject.toml",
+        "type": "object",
+        "properties": {"tool": {"type": "object", "properties": {"autograder": settings}}},
+        "$defs": parts,
+    }
+
+
+def _schema_of(kind: type[Written], title: str) -> dict[str, object]:
+    """The schema of a whole file; TOML's own dates are plain texts to the editors' validators."""
+    (reference,), parts = msgspec.json.schema_components([kind], ref_template="#/$defs/{name}")
+    for part in parts.values():
+        for field in part.get("properties", {}).values():
+            for form in (field, *field.get("anyOf", ())):
+                if form.get("format") == "date-time":
+                    del form["format"]
+    return {
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        "title": title,
+        "$ref": reference["$ref"],
         "$defs": parts,
     }
 

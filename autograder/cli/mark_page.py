@@ -152,7 +152,7 @@ class _Pages:
         who = "" if self._anonymous else f" · {isolated(item.record.name)}"
         header = (
             f"<h1>{text(item.question.id)} · {text(item.question.title)}</h1>"
-            f'<p class="soft">{at + 1} of {len(items)} that wait{who}. {text(item.why)}.</p>'
+            f'<p class="soft">{at + 1} of {len(items)} that wait{who}: {text(item.why)}.</p>'
         )
         problem = f'<p class="byhand" role="alert">{text(said)}</p>' if said else ""
         response = markdown(item.response) if item.response else "<p>Nothing can be shown.</p>"

@@ -6,10 +6,10 @@ from autograder.course.course import (
     QUESTIONS,
     Chapter,
     Course,
-    Settings,
     find_course_root,
     load_course,
 )
+from autograder.course.settings import Settings
 
 __all__ = [
     "ANSWERS",

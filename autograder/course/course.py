@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import errno
 import hashlib
 import json
 import os
-import tomllib
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field, fields, replace
+from collections.abc import Callable, Collection, Mapping
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 from typing import Any
@@ -16,9 +14,11 @@ from typing import Any
 from autograder.course.answers import Answer, answer_from_table
 from autograder.course.predictions import Prediction
 from autograder.course.questions import Question, Written
-from autograder.errors import AutograderError, CourseError, UsageError, machine_error
+from autograder.course.settings import Settings, read_settings
+from autograder.course.toml_file import read_toml, unreadable
+from autograder.errors import CourseError, UsageError
 from autograder.kinds.registry import load_kind
-from autograder.kinds.strict import Place, read_table
+from autograder.kinds.strict import Place, Table, read_table
 from autograder.kinds.variables import Variables, read_variables
 
 QUESTIONS = Path("notebooks/questions")
@@ -26,28 +26,7 @@ ANSWERS = Path("solutions/answers")
 DEMO = "demo"  # the tag of a cell that only shows something
 _PACKAGE = Path(__file__).parents[1]
 _MARKS_NOTHING = ("authoring", "cli", "gradebook", "release", "reports")  # folders of the package
-_LARGEST_SETTING = 1_000_000  # beyond all use, and within what timers and counters can take
 _LARGE_FILE = 32 * 2**20  # bytes
-
-
-@dataclass(frozen=True)
-class Settings:
-    """The limits on student code, from ``[tool.autograder]`` in the course's pyproject.toml."""
-
-    submission_seconds: float = 600.0  # all notebooks and questions of one student together
-    notebook_seconds: float = 120.0  # all cells of one notebook together
-    cell_seconds: float = 30.0
-    question_seconds: float = 20.0
-    cpu_seconds: int = 130  # of a processor, in each process that student code runs in
-    memory_mb: int = 1024  # beyond what the libraries need
-    processes: int = 64  # threads count too
-    files: int = 5000
-    files_mb: int = 64  # what the student's code may write
-    output_mb: int = 8  # what one response may come to
-    submission_mb: int = 100
-    submission_files: int = 2000
-    # What notebooks may import beyond what the course itself does; loaded before anything runs.
-    packages: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -96,7 +75,11 @@ class Course:
     @cached_property
     def predictions(self) -> dict[str, Prediction]:
         """Everything that students predict, by its id, in the order of the course."""
-        return {entry.id: entry for chapter in self.chapters for entry in chapter.predictions}
+        return {
+            entry.id: entry.with_numbers(self.story(entry.story)) if entry.story else entry
+            for chapter in self.chapters
+            for entry in chapter.predictions
+        }
 
     def prediction(self, id: str) -> Prediction:
         """The prediction with this id.
@@ -131,6 +114,21 @@ class Course:
         variables = self.varied[id].variables
         assert variables is not None
         return variables.numbers(self.variants.get(id, 0))
+
+    def story(self, name: str) -> dict[str, int | float]:
+        """The numbers of a story here, by their names.
+
+        Raises:
+            UsageError: if no question tells it; the sentence lists the stories there are.
+        """
+        told: list[str] = []
+        for id, written in self.varied.items():
+            if written.table.get("story"):
+                told.append(written.table["story"])
+            if written.table.get("story") == name:
+                return self.numbers(id) or {}
+        listed = ", ".join(dict.fromkeys(told)) or "none"
+        raise UsageError(f"There is no story {name!r}; this course has {listed}.")
 
     def with_variants(self, variants: Mapping[str, int]) -> Course:
         """The course with these variants of the questions that have any; the others have 0.
@@ -200,16 +198,16 @@ class Course:
         return answer_from_table(table, question, text, self.numbers(question.id))
 
     @cached_property
-    def answer_tables(self) -> dict[str, tuple[str, dict[str, Any]]]:
+    def answer_tables(self) -> dict[str, tuple[str, Table]]:
         """For each chapter the text of its key, and the tables in it.
 
         Raises:
             CourseError: if an answer is missing or left over.
         """
-        read: dict[str, tuple[str, dict[str, object]]] = {}
+        read: dict[str, tuple[str, Table]] = {}
         for chapter in self.chapters if self.has_key else ():
             path = self.root / ANSWERS / f"{chapter.name}.toml"
-            text, tables = _read_toml(path, f"write the answers to {chapter.name}.toml there")
+            text, tables = read_toml(path, f"write the answers to {chapter.name}.toml there")
             asked = {question.id: question for question in chapter.questions}
             for id in asked.keys() - tables.keys():
                 raise CourseError(f"{id} has no answer; add one to {path.relative_to(self.root)}.")
@@ -245,6 +243,8 @@ class Course:
         """
         digest = hashlib.sha256()
         digest.update(f"{self.settings}\0{sorted(self.demo_cells)}\0".encode())
+        if self.personal:
+            digest.update(f"{self.others_count}\0".encode())
         for top, folder, pattern, left_out in (
             (self.root, QUESTIONS, "*.toml", ()),
             (self.root, ANSWERS, "*.toml", ()),
@@ -273,7 +273,7 @@ def _digest_file(path: Path, update: Callable[[bytes], object]) -> None:
             file.seek(max(_LARGE_FILE // 2, size - _LARGE_FILE // 2))
             update(file.read(_LARGE_FILE // 2))
     except OSError as error:
-        raise _unreadable(path, error) from None
+        raise unreadable(path, error) from None
 
 
 def find_course_root(start: Path | None = None) -> Path:
@@ -310,15 +310,15 @@ def load_course(root: Path | None = None) -> Course:
         # Not the course of a folder above: that would hide a mistyped name.
         raise CourseError(f"There is no course in {root}: it has no folder {QUESTIONS}.")
     root = root.resolve()
-    tools = _read_tool_table(root)
-    own_kinds = _own_kinds(root, tools)
-    for package in own_kinds:
+    settings = read_settings(root)
+    for package in settings.kinds:
         load_kind(package, root)
     chapters = []
     for path in sorted((root / QUESTIONS).glob("*.toml"), key=_chapter_position(root)):
-        text, table = _read_toml(path, "write it or remove the file")
+        text, table = read_toml(path, "write it or remove the file")
         unknown = table.keys() - {"title", "question", "story", "prediction"}
-        if unknown or not isinstance(table.get("title"), str):
+        title = table.get("title")
+        if unknown or not isinstance(title, str):
             raise CourseError(
                 f"{path.relative_to(root)} needs a title and [[question]] tables, and may "
                 "have [story.NAME] and [[prediction]] tables, nothing else."
@@ -333,15 +333,21 @@ def load_course(root: Path | None = None) -> Course:
             Written.read(entry, path.stem, text, n, stories) for n, entry in enumerate(entries)
         )
         questions = tuple(entry.question() for entry in written)
-        predictions = _read_predictions(table.get("prediction", []), text, path.relative_to(root))
-        chapters.append(Chapter(path.stem, table["title"], questions, written, predictions))
+        told = {entry.table.get("story") for entry in written}
+        tables = table.get("prediction", [])
+        predictions = _read_predictions(tables, text, path.relative_to(root), told)
+        chapters.append(Chapter(path.stem, title, questions, written, predictions))
     if not chapters:
         raise CourseError(f"{root / QUESTIONS} holds no questions; add a CHAPTER.toml.")
     _reject_duplicates(chapters)
-    personal = _one_of(root, tools, "variants", ("sheet", "student")) == "student"
-    others = _one_of(root, tools, "others_numbers", ("count", "nothing")) == "count"
-    settings = _read_settings(root, tools)
-    return Course(root, tuple(chapters), settings, own_kinds, personal, others)
+    return Course(
+        root,
+        tuple(chapters),
+        settings.limits,
+        settings.kinds,
+        personal=settings.variants == "student",
+        others_count=settings.others_numbers == "count",
+    )
 
 
 def _read_stories(stories: object, text: str, file: Path) -> dict[str, Variables]:
@@ -356,14 +362,19 @@ def _read_stories(stories: object, text: str, file: Path) -> dict[str, Variables
     }
 
 
-def _read_predictions(tables: object, text: str, file: Path) -> tuple[Prediction, ...]:
+def _read_predictions(
+    tables: object, text: str, file: Path, told: Collection[object]
+) -> tuple[Prediction, ...]:
     if not (isinstance(tables, list) and all(isinstance(table, dict) for table in tables)):
         raise CourseError(f"{file}: each prediction is a table that begins with [[prediction]].")
     found = []
     for number, table in enumerate(tables):
         words = f"prediction {table.get('id', '?')!r} in {file.as_posix()}"
         place = Place(words, text, ("prediction", number))
-        found.append(read_table(table, Prediction, place, chapter=file.stem))
+        prediction = read_table(table, Prediction, place, chapter=file.stem)
+        if prediction.story and prediction.story not in told:
+            raise place.error("no question of this file tells that story", ("story",))
+        found.append(prediction)
     return tuple(found)
 
 
@@ -405,92 +416,3 @@ def _chapter_position(root: Path) -> Any:
         for path in (root / "notebooks/source").glob("[0-9]*_*.py")
     }
     return lambda path: numbers.get(path.stem, "~" + path.stem)
-
-
-def _read_toml(path: Path, missing: str) -> tuple[str, dict[str, Any]]:
-    """A file's text, and what it says."""
-    try:
-        text = path.read_text(encoding="utf-8")
-        return text, tomllib.loads(text)
-    except FileNotFoundError:
-        raise CourseError(f"{path} is missing; {missing}.") from None
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
-        raise CourseError(f"{path} cannot be read: {error}.") from None
-    except OSError as error:
-        raise _unreadable(path, error) from None
-
-
-def _unreadable(path: Path, error: OSError) -> AutograderError:
-    """What keeps a file of the course from being read: this machine, its permissions, its kind."""
-    said = CourseError(
-        f"{path} cannot be read ({error.strerror or error}); make it a file that you may read."
-    )
-    return said if error.errno in (errno.EACCES, errno.EPERM) else machine_error(error) or said
-
-
-def _read_tool_table(root: Path) -> dict[str, Any]:
-    """The table ``[tool.autograder]`` of the course's pyproject.toml, empty if there is none."""
-    path = root / "pyproject.toml"
-    if not path.exists():
-        return {}
-    tools = _read_toml(path, "")[1].get("tool", {})
-    table = tools.get("autograder", {}) if isinstance(tools, dict) else {}
-    if not isinstance(table, dict):
-        raise CourseError(
-            f"[tool.autograder] in {path} must be a table of settings such as memory_mb = 1024."
-        )
-    return table
-
-
-def _own_kinds(root: Path, table: dict[str, object]) -> tuple[str, ...]:
-    """The packages of the kinds of question that a course brings along."""
-    packages = table.pop("kinds", [])
-    if not (isinstance(packages, list) and all(isinstance(name, str) for name in packages)):
-        raise CourseError(
-            f"kinds of [tool.autograder] in {root / 'pyproject.toml'} must be a list of packages, "
-            'such as kinds = ["notebooks.kinds.matching"].'
-        )
-    return tuple(packages)
-
-
-def _one_of(root: Path, table: dict[str, object], name: str, choices: tuple[str, ...]) -> str:
-    """A setting that has one of a few values; the first where nothing is said."""
-    chosen = table.pop(name, choices[0])
-    if chosen not in choices:
-        raise CourseError(
-            f"{name} of [tool.autograder] in {root / 'pyproject.toml'} is {chosen!r}; write "
-            f"{' or '.join(repr(choice) for choice in choices)}."
-        )
-    return str(chosen)
-
-
-def _packages(value: object, where: str) -> tuple[str, ...]:
-    entries = value if isinstance(value, list) else [None]
-    for entry in entries:
-        if not isinstance(entry, str) or not all(p.isidentifier() for p in entry.split(".")):
-            raise CourseError(
-                f"{where} has packages = {value!r}; give names as they are imported, such as "
-                '["pandas"].'
-            )
-    return tuple(entries)
-
-
-def _read_settings(root: Path, table: dict[str, Any]) -> Settings:
-    where = f"[tool.autograder] in {root / 'pyproject.toml'}"
-    kinds = {field.name: type(field.default) for field in fields(Settings)}
-    for name, value in table.items():
-        if name not in kinds:
-            raise CourseError(f"{where} has {name}, which is none of {', '.join(sorted(kinds))}.")
-        if name == "packages":
-            table = {**table, name: _packages(value, where)}
-            continue
-        whole = kinds[name] is int
-        # To Python a truth value is an int; not a number is not between anything.
-        is_number = isinstance(value, int if whole else int | float) and not isinstance(value, bool)
-        if not (is_number and 0 < value <= _LARGEST_SETTING):
-            wanted = "a whole number" if whole else "a number of seconds"
-            raise CourseError(
-                f"{where} has {name} = {value!r}; "
-                f"give {wanted} above 0 and at most {_LARGEST_SETTING:,}."
-            )
-    return replace(Settings(), **table)

@@ -7,10 +7,13 @@ comes true: the picture after it shows that.
 from __future__ import annotations
 
 import math
-from typing import Annotated, Any
+from collections.abc import Mapping
+from typing import Annotated, Any, TypeGuard
 
+import msgspec
 from msgspec import Meta
 
+from autograder.course.filling import fill_text
 from autograder.errors import UsageError
 from autograder.kinds.written import Text, Written
 
@@ -35,6 +38,7 @@ class Prediction(Written, frozen=True, kw_only=True):
     ] = None
     integer: bool = False
     unit: str = ""
+    story: Annotated[str, Meta(description="the story whose numbers its prompt holds")] = ""
 
     def __post_init__(self) -> None:
         super().__post_init__()
@@ -47,7 +51,11 @@ class Prediction(Written, frozen=True, kw_only=True):
         if self.between is not None and not self.between[0] < self.between[1]:
             raise ValueError("the first number of between must be below the second")
 
-    def fits(self, value: object) -> bool:
+    def with_numbers(self, numbers: Mapping[str, int | float]) -> Prediction:
+        """The same with numbers in its prompt."""
+        return msgspec.structs.replace(self, prompt=fill_text(self.prompt, numbers))
+
+    def fits(self, value: object) -> TypeGuard[Guess]:
         """Whether something stored, by anybody, can be this prediction."""
         if self.between is None:
             return isinstance(value, str) and value in self.choices

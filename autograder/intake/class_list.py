@@ -33,10 +33,9 @@ from __future__ import annotations
 import math
 import tomllib
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, fields, replace
+from dataclasses import dataclass, field, replace
 from datetime import UTC, datetime, timedelta, tzinfo
 from pathlib import Path
-from typing import Any
 from zoneinfo import ZoneInfo, ZoneInfoNotFoundError
 
 from autograder.errors import CourseError
@@ -45,6 +44,9 @@ from autograder.intake.origin import Origin, as_utc_text
 from autograder.intake.people import join_people, read_people
 from autograder.intake.person import Person
 from autograder.intake.tables import read_text
+from autograder.intake.written_class import WrittenClass, WrittenLate, WrittenStudent
+from autograder.kinds import toml_lines
+from autograder.kinds.strict import Place, read_table
 
 
 @dataclass(frozen=True)
@@ -121,17 +123,14 @@ def read_class_list(path: Path) -> ClassList:
     text = read_text(path)
     if path.suffix.lower() != ".toml" and not text.lstrip().startswith("["):
         return ClassList(read_people(text, path, None))
-    tables = _toml(text, path)
-    _only(tables, {"assignment", "late", "student"}, str(path))
-    assignment = _table(tables, "assignment", path)
-    _only(assignment, {"title", "canvas_id"}, f"[assignment] in {path}")
-    late = _table(tables, "late", path)
-    zone = _zone(late, path)
+    place = Place(str(path), text)
+    written = read_table(_toml(text, path), WrittenClass, place)
+    zone = _zone(written.late, place)
     return ClassList(
-        _students(tables.get("student", []), zone, path),
-        str(assignment.get("title", "Autograder")),
-        str(assignment.get("canvas_id", "")),
-        _policy(late, zone, path) if late else None,
+        _students(written.student, zone, place),
+        written.assignment.title,
+        str(written.assignment.canvas_id),
+        None if written.late is None else _policy(written.late, zone, place),
     )
 
 
@@ -188,90 +187,70 @@ def _toml(text: str, path: Path) -> dict[str, object]:
         raise CourseError(f"{path} cannot be read: {error}.") from None
 
 
-def _policy(late: dict[str, object], zone: tzinfo | None, path: Path) -> LatePolicy:
-    known = {"due", "zone", "grace_minutes", "percent_a_day", "most_percent"}
-    _only(late, known, f"[late] in {path}")
-    if "due" not in late:
-        raise CourseError(f"[late] in {path} has no `due`; write due = 2026-11-20T23:59:00.")
-    grace = _number(late, "grace_minutes", 0, path)
+def _policy(late: WrittenLate, zone: tzinfo | None, place: Place) -> LatePolicy:
     return LatePolicy(
-        _time(late["due"], zone, f"due in [late] of {path}"),
-        timedelta(minutes=grace),
-        _number(late, "percent_a_day", 0, path, 100),
-        _number(late, "most_percent", 100, path, 100),
+        _in_zone(late.due, zone, place, ("late", "due")),
+        timedelta(minutes=late.grace_minutes),
+        late.percent_a_day,
+        late.most_percent,
     )
 
 
-def _students(entries: Any, zone: tzinfo | None, path: Path) -> tuple[Person, ...]:
-    if not isinstance(entries, list) or not all(isinstance(entry, dict) for entry in entries):
-        raise CourseError(f"{path}: write each student as a [[student]] table.")
-    known = {known.name for known in fields(Person)} - {"noted_time"}
+def _students(
+    entries: Sequence[WrittenStudent], zone: tzinfo | None, place: Place
+) -> tuple[Person, ...]:
     students = []
     taken: dict[str, str] = {}
-    for entry in entries:
-        where = f"the student {entry.get('name', '?')!r} in {path}"
-        _only(entry, known, where)
-        if not str(entry.get("name", "")).strip():
-            raise CourseError(f"A student in {path} has no name.")
-        values: dict[str, Any] = {
-            key: str(value).strip()
-            for key, value in entry.items()
-            if key not in ("extension_days", "handed_in")
-        }
-        values["extension_days"] = _number(entry, "extension_days", 0, path)
-        if "handed_in" in entry:
-            values["handed_in"] = _time(entry["handed_in"], zone, f"handed_in of {where}")
-        student = Person(**values)
+    for position, entry in enumerate(entries):
+        handed_in = entry.handed_in
+        if handed_in is not None:
+            at = ("student", position, "handed_in")
+            handed_in = _in_zone(handed_in, zone, place, at)
+        student = Person(
+            entry.name,
+            id=_text(entry.id),
+            sis_id=_text(entry.sis_id),
+            login=_text(entry.login),
+            email=entry.email,
+            section=_text(entry.section),
+            submission=_text(entry.submission),
+            extension_days=entry.extension_days,
+            handed_in=handed_in,
+            github=_text(entry.github),
+            number=_text(entry.number),
+        )
         for key in ("submission", "login", "email", "id", "sis_id"):
             called = getattr(student, key).casefold()
             if called and taken.setdefault(called, student.name) != student.name:
-                raise CourseError(
-                    f"{student.name} and {taken[called]} in {path} share {called!r}; "
-                    "so a submission under it could be either's."
+                raise place.error(
+                    f"{student.name} and {taken[called]} share {called!r}; "
+                    "so a submission under it could be either's",
+                    ("student", position, key),
                 )
         students.append(student)
     return tuple(students)
 
 
-def _zone(late: dict[str, object], path: Path) -> tzinfo | None:
-    if "zone" not in late:
+def _text(value: str | int) -> str:
+    return str(value).strip()
+
+
+def _zone(late: WrittenLate | None, place: Place) -> tzinfo | None:
+    if late is None or not late.zone:
         return None
     try:
-        return ZoneInfo(str(late["zone"]))
+        return ZoneInfo(late.zone)
     except (ZoneInfoNotFoundError, ValueError, OSError):
-        raise CourseError(
-            f"{late['zone']!r} in {path} is not a known time zone; write one such as "
-            '"Europe/Zurich" (on Windows, `pip install tzdata` first).'
+        raise place.error(
+            f"{late.zone!r} is not a known time zone; write one such as "
+            '"Europe/Zurich" (on Windows, `pip install tzdata` first)',
+            ("late", "zone"),
         ) from None
 
 
-def _time(value: object, zone: tzinfo | None, where: str) -> datetime:
-    if not isinstance(value, datetime):
-        raise CourseError(f"{where} is not a date and time; write 2026-11-20T23:59:00.")
-    if value.tzinfo is not None:
-        return value
+def _in_zone(time: datetime, zone: tzinfo | None, place: Place, at: toml_lines.Path) -> datetime:
+    if time.tzinfo is not None:
+        return time
     if zone is None:
-        raise CourseError(f'{where} has no time zone; add zone = "Europe/Zurich" to [late].')
-    return value.replace(tzinfo=zone)
-
-
-def _number(
-    table: dict[str, object], key: str, default: float, path: Path, most: float = math.inf
-) -> float:
-    value = table.get(key, default)
-    if isinstance(value, bool) or not isinstance(value, int | float) or not 0 <= value <= most:
-        limit = "" if math.isinf(most) else f" to {most:g}"
-        raise CourseError(f"{key} = {value!r} in {path} must be a number from 0{limit}.")
-    return float(value)
-
-
-def _table(tables: dict[str, object], name: str, path: Path) -> dict[str, object]:
-    table = tables.get(name, {})
-    if not isinstance(table, dict):
-        raise CourseError(f"{path}: [{name}] must be a table.")
-    return table
-
-
-def _only(table: dict[str, object], known: set[str], where: str) -> None:
-    for key in sorted(table.keys() - known):
-        raise CourseError(f"{where} has an unknown entry {key!r}; known are {sorted(known)}.")
+        raise place.error(f'{at[-1]} has no time zone; add zone = "Europe/Zurich" to [late]', at)
+    return time.replace(tzinfo=zone)

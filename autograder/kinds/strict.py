@@ -18,6 +18,8 @@ from autograder.errors import CourseError
 from autograder.kinds import toml_lines
 from autograder.kinds.written import BLANK, ID, NAME, Written, check_python_name
 
+Table = dict[str, Any]  # of TOML, before this reader has seen it
+
 W = TypeVar("W", bound=Written)
 
 _WORDS = {
@@ -27,6 +29,7 @@ _WORDS = {
     "bool": "true or false",
     "array": "a list in [...]",
     "object": "a table",
+    "datetime": "a date and time such as 2026-11-20T23:59:00",
 }
 _AT = re.compile(r"^(?P<problem>.*?)(?: - at `\$(?P<path>[^`]*)`)?$", re.DOTALL)
 _EXPECTED = re.compile(r"Expected `(?P<wanted>[^`]*)`(?P<rest>.*)", re.DOTALL)
@@ -85,6 +88,9 @@ def _explained(
         return f"{inside}unknown field {field['name']!r}; {cure}", (*path, field["name"])
     if problem.startswith("Invalid enum value"):
         return f"{_trail(table, path)} is {_at(table, path)!r}; write {_choices(kind, path)}", path
+    if problem.startswith("Invalid RFC3339"):
+        what, value = _trail(table, path), _at(table, path)
+        return f"{what} is {value!r}, and must be {_WORDS['datetime']}", path
     if expected := _EXPECTED.match(problem):
         return _expected(expected["wanted"], expected["rest"], table, path), path
     return (f"in {_trail(table, path)}, {problem}" if path else problem), path

@@ -19,11 +19,13 @@ def page(
 ) -> str:
     """A whole document; all but the title are HTML. It may send ``forms`` to where it is from."""
     policy = POLICY.replace("form-action 'none'", "form-action 'self'") if forms else POLICY
+    # Without any referrer a browser says that a form's origin is "null", which the server refuses.
+    referrer = "same-origin" if forms else "no-referrer"
     return (
         '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
         f'<meta http-equiv="Content-Security-Policy" content="{policy}">\n'
         '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
-        '<meta name="referrer" content="no-referrer">\n'
+        f'<meta name="referrer" content="{referrer}">\n'
         f"<title>{text(title)}</title>\n<style>{STYLE}</style>\n</head>\n"
         f'<body class="{"wide" if wide else "narrow"}">\n'
         f"<header>\n{header}\n</header>\n<main>\n{main}\n</main>\n<footer>\n{footer}\n</footer>\n"

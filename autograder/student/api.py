@@ -1,11 +1,11 @@
-"""``ask``, ``check``, ``me``, ``predict``, ``predicted``, ``progress`` and ``submit``."""
+"""What a notebook calls: ``ask``, ``check``, ``me``, ``numbers`` and the others."""
 
 from __future__ import annotations
 
+from collections import namedtuple
 from collections.abc import Callable
 from functools import lru_cache
 from pathlib import Path
-from typing import Any
 
 from autograder.course import Course, load_course
 from autograder.errors import AutograderError, UsageError
@@ -13,13 +13,14 @@ from autograder.kinds.registry import kind_of
 from autograder.student import unsaved
 from autograder.student.course_path import course_of_notebook, put_course_first
 from autograder.student.desk import Desk
-from autograder.student.frontend import widgets_wanted
+from autograder.student.frontend import colab_notebook, in_colab, widgets_wanted
 from autograder.student.identity import become, student_of
 from autograder.student.live import Live
 from autograder.student.marker_client import marker_for
 from autograder.student.responses import answered, responses_folder
 from autograder.student.submission import pack_submission
 from autograder.student.views import (
+    IdentityView,
     MarkView,
     PredictionView,
     ProgressView,
@@ -28,6 +29,14 @@ from autograder.student.views import (
 )
 
 MISSING: object = object()
+COLAB = (
+    "Download it from the panel of files (the folder on the left) before you close the page: "
+    "Colab forgets its files."
+)
+NO_COPY = (
+    "Colab did not hand over your notebook, so the file lacks it. Run `submit()` again; if that "
+    "does not help, hand in the notebook as well (File, Download, Download .ipynb)."
+)
 
 put_course_first()
 unsaved.watch()
@@ -40,12 +49,12 @@ def _course_at(root: Path) -> Course:
 
 @lru_cache(maxsize=1)
 def _desk_at(root: Path, student: str) -> Desk:
-    return Desk(_course_at(root).for_student(student))
+    return Desk(_course_at(root).for_student(student), student)
 
 
 def _desk() -> Desk:
     course = _course_at(course_of_notebook())
-    desk = _desk_at(course.root, student_of(course) if course.personal else "")
+    desk = _desk_at(course.root, student_of(course))
     for sentence in desk.mend():
         print(sentence)
     return desk
@@ -54,7 +63,7 @@ def _desk() -> Desk:
 class Asked(QuestionView):
     """A question on show; ``respond`` answers it."""
 
-    def respond(self, response: object) -> Any:
+    def respond(self, response: object) -> object:
         """Record a response and mark it.
 
         A true/false question takes a list of True, False or None; an order question a list of
@@ -63,7 +72,7 @@ class Asked(QuestionView):
         return _try(lambda: _respond(self.question.id, response))
 
 
-def ask(id: str) -> Any:
+def ask(id: str) -> object:
     """Show a question.
 
     Args:
@@ -72,7 +81,7 @@ def ask(id: str) -> Any:
     return _try(lambda: _ask(id))
 
 
-def check(id: str, response: object = MISSING) -> Any:
+def check(id: str, response: object = MISSING) -> object:
     """Mark a response: a value, an expression or a function, as the question asks.
 
     For a true/false or an order question, leave the response out: what was answered there is
@@ -81,12 +90,23 @@ def check(id: str, response: object = MISSING) -> Any:
     return _try(lambda: _check(id, response))
 
 
-def me(name: object) -> object:
-    """Say who you are, by the name or number of the class list; your numbers follow from it."""
-    return _try(lambda: print(become(_course_at(course_of_notebook()), name)))
+def me(name: object = MISSING) -> object:
+    """Say who you are, by the name or number of the class list; your numbers follow from it.
+
+    Without a name, a field asks for it.
+    """
+    return _try(lambda: _me(name))
 
 
-def predict(id: str, value: object = MISSING) -> Any:
+def numbers(story: str) -> object:
+    """Return the numbers of a story, by name and in order: ``N, w, p = numbers("cloud")``.
+
+    They are yours where everybody has their own, and else the sheet's.
+    """
+    return _try(lambda: _numbers(story))
+
+
+def predict(id: str, value: object = MISSING) -> object:
     """Ask for a prediction, or give one; it is kept and has no points. The first one stands.
 
     Args:
@@ -97,7 +117,7 @@ def predict(id: str, value: object = MISSING) -> Any:
     return _try(lambda: _predict(id, value))
 
 
-def predicted(id: str) -> Any:
+def predicted(id: str) -> object:
     """Return what was predicted, for a picture to draw beside the truth: None if nothing was.
 
     Args:
@@ -116,7 +136,7 @@ def submit() -> object:
     return _try(lambda: _submit())
 
 
-def _try(action: Any) -> object:
+def _try(action: Callable[[], object]) -> object:
     """Say what is wrong in one sentence: a traceback would bury it."""
     try:
         return action()
@@ -125,16 +145,16 @@ def _try(action: Any) -> object:
         return None
 
 
-def _shown(view: object, widget: Callable[[], object]) -> Any:
+def _shown(view: object, widget: Callable[[], object]) -> object:
     """The view itself, or a widget where one can be drawn; it is made only to be drawn."""
     return Live(view, widget) if widgets_wanted() else view
 
 
-def _ask(id: str) -> Any:
+def _ask(id: str) -> object:
     desk = _desk()
     question = desk.course.question(id)
     marker_for(desk.course)  # starts marking in the background while the student reads
-    view = Asked(question, desk.entry(question).get("response"))
+    view = Asked(question, desk.entry(question).get("response"), desk.whose(question))
     return _shown(view, lambda: kind_of(question).widget(desk, question))
 
 
@@ -165,6 +185,26 @@ def _check(id: str, response: object) -> object:
     return _shown(view, lambda: kind_of(question).widget(desk, question, response, mark))
 
 
+def _me(name: object) -> object:
+    course = _course_at(course_of_notebook())
+    if name is not MISSING:
+        print(become(course, name))
+        return None
+    desk = _desk()
+
+    def widget() -> object:
+        from autograder.student.widgets.identity import IdentityWidget
+
+        return IdentityWidget(desk)
+
+    return _shown(IdentityView(desk.student), widget)
+
+
+def _numbers(story: str) -> tuple[int | float, ...]:
+    given = _desk().course.story(story)
+    return namedtuple("Numbers", given)(**given)
+
+
 def _predict(id: str, value: object) -> object:
     desk = _desk()
     prediction = desk.course.prediction(id)
@@ -174,7 +214,7 @@ def _predict(id: str, value: object) -> object:
         if before is not None and prediction.read(value) != standing:
             print(f"You predicted {prediction.in_words(standing)} before; that stands.")
 
-    def widget() -> Any:
+    def widget() -> object:
         from autograder.student.widgets.prediction import PredictionWidget
 
         return PredictionWidget(desk, prediction)
@@ -185,7 +225,7 @@ def _predict(id: str, value: object) -> object:
 def _progress() -> object:
     desk = _desk()
 
-    def widget() -> Any:
+    def widget() -> object:
         from autograder.student.widgets.progress import ProgressWidget
 
         return ProgressWidget(desk)
@@ -197,7 +237,7 @@ def _submit() -> object:
     desk = _desk()
     view = _pack(desk)
 
-    def widget() -> Any:
+    def widget() -> object:
         from autograder.student.widgets.submission import SubmissionWidget
 
         return SubmissionWidget(desk, view, lambda: _pack(desk))
@@ -206,13 +246,17 @@ def _submit() -> object:
 
 
 def _pack(desk: Desk) -> SubmissionView:
-    packed = pack_submission(desk.course, responses_folder(desk.course.root))
+    on_screen = colab_notebook()
+    packed = pack_submission(desk.course, responses_folder(desk.course.root), on_screen)
     entries = desk.entries()
     unanswered = [
         question
         for question in desk.course.questions.values()
         if not answered(entries[question.chapter].get(question.id))
     ]
+    warning = ""
+    if on_screen is None:
+        warning = NO_COPY if in_colab() else unsaved.unsaved_work(packed.folder)
     return SubmissionView(
-        packed, unanswered, len(desk.course.questions), unsaved.changed_notebook(packed.path.parent)
+        packed, unanswered, len(desk.course.questions), warning, COLAB if in_colab() else ""
     )

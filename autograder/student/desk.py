@@ -10,13 +10,14 @@ from weakref import WeakSet
 from autograder.course import Course
 from autograder.course.predictions import Guess, Prediction
 from autograder.course.questions import Question
+from autograder.exchange.responses import Entry
 from autograder.kinds.mark import Mark, not_attempted, stopped
 from autograder.kinds.registry import kind_of
 from autograder.sandbox.inside.evaluate import describe, evaluate
 from autograder.student.frontend import running_shell
 from autograder.student.marker_client import marker_for
 from autograder.student.receipts import rescued_entries
-from autograder.student.responses import Entry, Responses, attempts, responses_folder
+from autograder.student.responses import Responses, attempts, responses_folder
 
 
 class Desk:
@@ -26,8 +27,9 @@ class Desk:
     a thread of its own, so that they count while a cell runs.
     """
 
-    def __init__(self, course: Course) -> None:
+    def __init__(self, course: Course, student: str = "") -> None:
         self.course = course
+        self.student = student  # who they say they are
         self._onlookers: WeakSet[object] = WeakSet()
         self._lock = threading.Lock()
         self._searched: set[str] = set()
@@ -44,6 +46,17 @@ class Desk:
             name,
             rescue=lambda: rescued_entries(self.course, chapter),
         )
+
+    def whose(self, question: Question) -> str:
+        """Whose response it is, and whose numbers the question has: a sentence for its foot."""
+        varies = self.course.personal and question.id in self.course.varied
+        if not self.student:
+            if not varies:
+                return ""
+            return "These are the sheet's numbers: say who you are, and you have your own."
+        if varies:
+            return f"Answered by {self.student}, whose own numbers these are."
+        return f"Answered by {self.student}."
 
     def mend(self) -> list[str]:
         """Put right what is damaged or missing, and say what was done.

@@ -14,6 +14,29 @@ def student_of(course: Course) -> str:
     return said_to_be({FILE: _file(course).all()})
 
 
+def warning(course: Course, name: object) -> str:
+    """What a change of name would mean, for the student to confirm; empty if nothing changes.
+
+    Raises:
+        UsageError: if it is not a name.
+    """
+    new, before = _read(name), student_of(course)
+    if not before or canonical(before) == canonical(new):
+        return ""
+    if not course.personal:
+        return f"You have been {before} so far. Your answers stay as they are."
+    return (
+        f"You have been {before} so far. With another name your questions have other numbers, and "
+        "what you have answered counts for the new ones."
+    )
+
+
+def _read(name: object) -> str:
+    if not isinstance(name, str | int) or isinstance(name, bool) or not clean(str(name)):
+        raise UsageError('Say who you are as your class list does, such as me("Ada Lovelace").')
+    return clean(str(name))
+
+
 def become(course: Course, name: object) -> str:
     """Keep who the student is; returns what to tell them.
 
@@ -21,9 +44,7 @@ def become(course: Course, name: object) -> str:
         UsageError: if it is not a name.
         ResponsesError: if it cannot be saved.
     """
-    if not isinstance(name, str | int) or isinstance(name, bool) or not clean(str(name)):
-        raise UsageError('Say who you are as your class list does, such as me("Ada Lovelace").')
-    new, before = clean(str(name)), student_of(course)
+    new, before = _read(name), student_of(course)
     _file(course).update(FILE, lambda entry: {**entry, "response": new})
     if not course.personal:
         return f"You are {new}. Everybody has the same numbers in this course."

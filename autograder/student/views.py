@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from autograder.course import Course
 from autograder.course.predictions import Guess, Prediction
 from autograder.course.questions import Question
@@ -32,7 +30,7 @@ class _View:
         """The Markdown, line by line."""
         raise NotImplementedError
 
-    def receipt(self) -> dict[str, Any] | None:
+    def receipt(self) -> dict[str, object] | None:
         """What the grader may read from the saved output."""
         return None
 
@@ -57,9 +55,10 @@ class _View:
 class QuestionView(_View):
     """A question with its prompt, statements or cards, and the response so far."""
 
-    def __init__(self, question: Question, response: object = None) -> None:
+    def __init__(self, question: Question, response: object = None, foot: str = "") -> None:
         self.question = question
         self.response = response
+        self.foot = foot
 
     def lines(self) -> list[str]:
         question = self.question
@@ -70,12 +69,25 @@ class QuestionView(_View):
             "",
         ]
         lines += kind_of(question).lines(question, self.response)
-        return lines
+        return [*lines, "", self.foot] if self.foot else lines
 
-    def receipt(self) -> dict[str, Any] | None:
+    def receipt(self) -> dict[str, object] | None:
         if self.response is None:
             return None
         return receipt(self.question.id, self.response)
+
+
+class IdentityView(_View):
+    """Who the student has said they are."""
+
+    def __init__(self, student: str) -> None:
+        self.student = student
+
+    def lines(self) -> list[str]:
+        call = '`me("Ada Lovelace")`'
+        if self.student:
+            return [f"You are **{self.student}**. To be somebody else, run {call} with that name."]
+        return [f"You have not said who you are. To say it, run {call} with your own name."]
 
 
 class PredictionView(_View):
@@ -95,7 +107,7 @@ class PredictionView(_View):
         call = f'`predict("{prediction.id}", {example})`'
         return [*lines, *[""] * bool(prediction.choices), f"Not predicted. To predict, run {call}."]
 
-    def receipt(self) -> dict[str, Any] | None:
+    def receipt(self) -> dict[str, object] | None:
         return None if self.value is None else receipt(self.prediction.id, self.value)
 
 
@@ -130,7 +142,7 @@ class MarkView(_View):
             ]
         return lines
 
-    def receipt(self) -> dict[str, Any] | None:
+    def receipt(self) -> dict[str, object] | None:
         if self.response is None:
             return None
         return receipt(self.question.id, self.response)
@@ -165,29 +177,37 @@ class ProgressView(_View):
 
 
 class SubmissionView(_View):
-    """What was packed and what is unanswered."""
+    """What was packed, what is unanswered, and above all what the file may lack.
+
+    ``warning`` says what is not saved, ``advice`` what else to do with the file.
+    """
 
     def __init__(
-        self, packed: Packed, unanswered: list[Question], count: int, unsaved: str | None = None
+        self,
+        packed: Packed,
+        unanswered: list[Question],
+        count: int,
+        warning: str = "",
+        advice: str = "",
     ) -> None:
         self.packed = packed
         self.unanswered = unanswered
         self.count = count
-        self.unsaved = unsaved
+        self.warning = warning
+        self.advice = advice
 
     def lines(self) -> list[str]:
         notebooks = [name for name in self.packed.names if name.endswith(".ipynb")]
-        lines = [
+        held = (
             f"**{self.packed.path.name}** holds {plural(len(notebooks), 'notebook')} "
-            f"({', '.join(notebooks)}) and your responses, as last saved. Hand in this file.",
-            "",
-        ]
-        if self.unsaved:
-            lines += [
-                f"**Not saved yet:** {self.unsaved} differs from what you ran last. "
-                "Save it and call `submit()` again.",
-                "",
-            ]
+            f"({', '.join(notebooks)}) and your responses, as last saved."
+        )
+        if self.warning:
+            lines = [f"**Not ready to hand in:** {self.warning}", "", held, ""]
+        else:
+            lines = [f"{held} Hand in this file.", ""]
+        if self.advice:
+            lines += [self.advice, ""]
         if not self.unanswered:
             return [*lines, f"All {self.count} questions are answered."]
         ids = ", ".join(question.id for question in self.unanswered)

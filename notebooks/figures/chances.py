@@ -53,13 +53,15 @@ def waiting_times(
     claimed: Any,
     rng: np.random.Generator,
     runs: int = 10_000,
+    p: float = 0.95,
 ) -> None:
     """Draw how many samples many runs needed until the first without an outlier.
 
     `claimed` is the student's number of iterations; the share of runs that were done by then, or
-    by the end of the picture, is written above it, once it is a number.
+    by the end of the picture, is written above it, once it is a number. `p` is the share that the
+    student looks for.
     """
-    longest = 5 * 5**size
+    longest = round(5 / w**size)
     first = np.full(runs, np.inf)
     for start in range(0, runs, 1000):
         clean = _clean(1000, longest, N, round(N * w), size, rng)
@@ -91,7 +93,7 @@ def waiting_times(
         axes.set_title(beyond)
         text += f" {beyond}"
     else:
-        axes.set_title("Where must the line stand, so that 95 % of the runs lie to its left?")
+        axes.set_title(f"Where must the line stand, so that {p:.0%} of the runs lie to its left?")
         text += " No number was given."
     show(fig, text)
 

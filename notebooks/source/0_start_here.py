@@ -47,6 +47,15 @@ beams = np.stack([np.cos(scans.angles), np.sin(scans.angles)], axis=1)
 figures.three_senses(photographs["0503"], scans.ranges[161, :, np.newaxis] * beams, scans)
 
 # %% [markdown]
+# ## Who are you?
+#
+# Write your name or number as the class list has it. It is kept with your answers and handed in with them. In a class
+# where everybody has numbers of their own, yours follow from it, on every computer.
+
+# %%
+me()
+
+# %% [markdown]
 # ## How to answer
 #
 # There are five kinds of question. Each has its own number, and you can answer it again as often

@@ -99,19 +99,19 @@ figures.guesses(few, threshold=0.3, rng=np.random.default_rng(5))
 # %% [markdown]
 # ## How long does it take?
 #
-# Guessing sounds hopeless. It is not, and you can compute why. The numbers for all the questions:
+# Guessing sounds hopeless. It is not, and you can compute why. The numbers for all the questions: how many
+# points $N$ the cloud has, which share $w$ of them are inliers, and the probability $p$ of success that we want.
 
 # %%
-N = 1000  # points in the cloud
-w = 0.2  # the share of inliers among them
-p = 0.95  # the probability of success that we want
+N, w, p = numbers("cloud")
+print(f"{N} points, a share w = {w} of them inliers; wanted is success with p = {p}")
 
 # %% [markdown]
-# (The exercise sheet calls $w$ the *inlier count* and $p$ the *probability of all inliers*. It computes with $w = 0.2$, a
+# (The exercise sheet calls $w$ the *inlier count* and $p$ the *probability of all inliers*. It computes with $w$ as a
 # share, and with $p$ as the probability that at least one sample holds inliers only, as we do.)
 #
 # When a point is drawn, it is an inlier with probability $w$. Strictly speaking, that changes a little once
-# a point has been taken out: of the 999 that remain, 199 are inliers. The cloud is large, so we neglect that.
+# a point has been taken out: of the $N - 1$ that remain, $wN - 1$ are inliers. The cloud is large, so we neglect that.
 #
 # Make a guess before you compute:
 
@@ -122,26 +122,26 @@ predict("P3.1")
 # The simulation draws samples in 10,000 runs and counts how many each run needed.
 
 # %% demo=true
-figures.waiting_times(N, w, 2, predicted("P3.1"), np.random.default_rng(0))
+figures.waiting_times(N, w, 2, predicted("P3.1"), np.random.default_rng(0), p=p)
 
 # %% [markdown]
-# You could put other numbers in place of `predicted("P3.1")` until the blue part is 95 %. It is faster to compute it. A coin as an example: it falls on heads with
+# You could put other numbers in place of `predicted("P3.1")` until the share of the blue part is $p$. It is faster to compute it. A coin as an example: it falls on heads with
 # probability 0.5, so $k$ tosses are all tails with probability $0.5^k$. To see heads at least once with probability
 # 0.99 we need $0.5^k \le 0.01$, so $k \ge \log 0.01 / \log 0.5 = 6.64$: seven tosses.
 
 # %% exercise="Q3.2.1"
 
 # %% [markdown]
-# The simulation with your number. It should come out close to 95 %:
+# The simulation with your number. It should come out close to $p$:
 
 # %% demo=true
-figures.waiting_times(N, w, 2, iterations, np.random.default_rng(0))
+figures.waiting_times(N, w, 2, iterations, np.random.default_rng(0), p=p)
 
 # %% exercise="Q3.2.2"
 
 # %% [markdown]
 # Compare your last two results: so few tries, among so many candidates. And the number of iterations does not
-# depend on $N$ at all. A cloud of a million points needs just as many, as long as a fifth of them are inliers.
+# depend on $N$ at all. A cloud of a million points needs just as many, as long as the share of inliers is the same.
 #
 # Now a general formula. For the next question `w` becomes a symbol, and then a number again.
 
@@ -155,7 +155,7 @@ w = sp.Symbol("w", positive=True)
 # number `w`.
 
 # %%
-w = 0.2
+w = numbers("cloud").w
 
 # %% exercise="Q3.2.3b"
 
@@ -181,7 +181,7 @@ figures.runs_that_failed(N, w, 100, success_after_100, np.random.default_rng(0))
 
 # %% [markdown]
 # A real program draws three *different* points, so the
-# probability of a clean sample is $\frac{200}{1000} \cdot \frac{199}{999} \cdot \frac{198}{998}$, slightly less than
+# probability of a clean sample is $\frac{wN}{N} \cdot \frac{wN-1}{N-1} \cdot \frac{wN-2}{N-2}$, slightly less than
 # $w^3$. The question told you to neglect that, as the exercise sheet does. For lines it makes no difference in the end,
 # for planes it costs a few iterations. Both numbers are accepted.
 #
@@ -209,8 +209,8 @@ explore_ransac()
 # the right is the number of samples that the formula asks for *with the best share of inliers so far*. Nobody knows $w$
 # before the first sample, but every better line is a better guess of it. When could a program stop by itself?
 #
-# Then add outliers until a fifth of the points are the wall's, and look at a hundred runs at once. Is your number of
-# iterations enough in 95 of them?
+# Then add outliers until the share of the points on the wall is your $w$, and look at a hundred runs at once. Is your number of
+# iterations enough in $100\,p$ of them?
 
 # %% demo=true
 explore_ransac_steps(points, iterations)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import tomllib
 from pathlib import Path
 
@@ -49,6 +50,26 @@ def test_no_author_writes_what_the_files_name_says(questions, answers):
     right = {"alternative": [{"name": "right", "credit": 1, "value": 2}]}
     assert answers.is_valid({"Q1": right})
     assert not answers.is_valid({"Q1": {**right, "id": "Q1"}})
+
+
+def schema_named(name: str) -> jsonschema.Draft202012Validator:
+    schema = json.loads(dict(schema_files())[f".schemas/{name}.json"])
+    jsonschema.Draft202012Validator.check_schema(schema)
+    return jsonschema.Draft202012Validator(schema)
+
+
+def test_settings_the_class_and_the_grading_have_schemas_as_well():
+    settings = schema_named("settings")
+    settings.validate(tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8")))
+    assert not settings.is_valid({"tool": {"autograder": {"memory_bm": 300}}})
+    assert not settings.is_valid({"tool": {"autograder": {"variants": "students"}}})
+    listed = schema_named("class")
+    listed.validate({"late": {"due": "2026-11-20T23:59:00"}, "student": [{"name": "Ada", "id": 3}]})
+    assert not listed.is_valid({"student": [{"id": 3}]})
+    assert not listed.is_valid({"late": {"due": "2026-11-20T23:59:00", "percent_a_day": 120}})
+    grading = schema_named("grading")
+    grading.validate({"dropped": ["Q1"], "curve": {"add": 2.0}})
+    assert not grading.is_valid({"droped": ["Q1"]})
 
 
 def test_the_files_of_this_course_are_up_to_date():

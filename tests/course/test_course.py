@@ -346,6 +346,25 @@ def test_a_setting_that_is_unknown_or_no_positive_number_is_said(tiny_course, li
     assert sentence.endswith(".")
 
 
+@pytest.mark.parametrize(
+    ("line", "words"),
+    [
+        ("memory_bm = 300", "perhaps 'memory_mb' is meant"),
+        ("memory_mb = 0", "memory_mb is 0; give a number of at least 1"),
+        ('variants = "students"', "write 'sheet' or 'student'"),
+        ('packages = ["not a name"]', 'such as packages = ["pandas"]'),
+        ("kinds = 3", "kinds is 3, and must be a list in [...]"),
+    ],
+)
+def test_a_wrong_setting_is_said_with_its_line_and_what_to_write(tiny_course, line, words):
+    tiny_course.append("pyproject.toml", "\n" + line + "\n")
+    text = (tiny_course.root / "pyproject.toml").read_text()
+    number = text.splitlines().index(line) + 1
+    sentence = refusal(tiny_course)
+    assert f"pyproject.toml, line {number}: " in sentence or "packages" in line
+    assert words in sentence
+
+
 def test_seconds_may_be_a_fraction(tiny_course):
     tiny_course.append("pyproject.toml", "cell_seconds = 0.5\n")
     assert tiny_course.load().settings.cell_seconds == 0.5

@@ -128,14 +128,22 @@ def test_an_exception_that_cannot_be_printed_is_still_told():
     assert tell(Odd()) == {"kind": "Odd", "message": ""}
 
 
-@pytest.mark.parametrize("value", ['"pandas"', "[3]", '["no such"]', '["a/b"]'])
-def test_packages_that_are_no_names_are_refused(tmp_path: Path, value: str, capsys):
+@pytest.mark.parametrize(
+    ("value", "words"),
+    [
+        ('"pandas"', "must be a list"),
+        ("[3]", "must be a text in quotes"),
+        ('["no such"]', "as they are imported"),
+        ('["a/b"]', "as they are imported"),
+    ],
+)
+def test_packages_that_are_no_names_are_refused(tmp_path: Path, value: str, words: str, capsys):
     make_course(tmp_path / "course")
     with (tmp_path / "course/pyproject.toml").open("a") as file:
         file.write(f"[tool.autograder]\npackages = {value}\n")
     hand_in(tmp_path / "work", "ada")
     assert main(["--course", str(tmp_path / "course"), "grade", str(tmp_path / "work")]) == 1
-    assert "as they are imported" in capsys.readouterr().err
+    assert words in capsys.readouterr().err
 
 
 def test_a_package_that_the_course_allows_and_nobody_installed_stops_the_run(tmp_path, capsys):

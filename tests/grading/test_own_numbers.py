@@ -50,7 +50,7 @@ def market(tmp_path_factory) -> Course:
     return course.load()
 
 
-def hand_in(folder: Path, name: str, says: str, bought: int) -> None:
+def hand_in(folder: Path, name: str, says: str, bought: int | str) -> None:
     """A folder as ``submit()`` packs it: a notebook, and who it says it is from."""
     code = {"cell_type": "code", "id": "c1", "metadata": {}, "outputs": [], "execution_count": None}
     cell = {**code, "source": f"bought = {bought}"}
@@ -60,6 +60,25 @@ def hand_in(folder: Path, name: str, says: str, bought: int) -> None:
     if says:
         entry = {"responses": {FILE: {"response": says}}}
         (folder / name / "responses" / f"{FILE}.json").write_text(json.dumps(entry))
+
+
+def test_what_a_notebook_computes_from_its_numbers_is_right_for_its_student(
+    market: Course, tmp_path: Path, capsys
+):
+    """The grader's process finds the numbers of the student whose notebook it runs."""
+    source = (
+        "0\nfrom autograder import numbers\nboxes, eggs = numbers('market')\nbought = boxes * eggs"
+    )
+    for name in NAMES[:3]:
+        hand_in(tmp_path / "class", name.split()[1], name, source)
+    hand_in(tmp_path / "class", "nobody", "", source)
+    out = tmp_path / "grades"
+    command = ["--course", str(market.root), "grade", str(tmp_path / "class"), "--out", str(out)]
+    assert main([*command, "--question", "Q7"]) == 0
+    with Gradebook(out / "gradebook.db") as book:
+        records = list(book.records())
+    assert [record.graded.marks[0].status for record in records] == ["right"] * 4
+    assert len({record.graded.marks[0].understood for record in records}) > 1
 
 
 def test_everybody_is_marked_by_their_own_numbers(market: Course, tmp_path: Path, capsys):

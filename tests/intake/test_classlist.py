@@ -135,18 +135,24 @@ def test_moodles_tables_are_read_in_its_languages(tmp_path: Path, header: str, e
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        ("[late]\npercent_a_day = 10\n", "has no `due`"),
+        ("[late]\npercent_a_day = 10\n", "line 1: in late, the field 'due' is missing"),
         ("[late]\ndue = 2026-10-23T23:59:00\n", "no time zone"),
-        ('[late]\ndue = "friday"\nzone = "UTC"\n', "not a date and time"),
-        ('[late]\ndue = 2026-10-23\nzone = "UTC"\n', "not a date and time"),
+        ('[late]\ndue = "friday"\nzone = "UTC"\n', "line 2: due of late is"),
+        ('[late]\ndue = 2026-10-23\nzone = "UTC"\n', "line 2: due of late is"),
         ('[late]\ndue = 2026-10-23T23:59:00\nzone = "Mars"\n', "not a known time zone"),
-        ("[late]\ndue = 2026-10-23T23:59:00Z\npercent_a_day = 120\n", "from 0 to 100"),
-        ("[late]\ndue = 2026-10-23T23:59:00Z\npercent = 12\n", "unknown entry 'percent'"),
-        ("[[student]]\nid = 3\n", "has no name"),
+        (
+            "[late]\ndue = 2026-10-23T23:59:00Z\npercent_a_day = 120\n",
+            "line 3: percent_a_day of late is 120; give a number of at most 100",
+        ),
+        (
+            "[late]\ndue = 2026-10-23T23:59:00Z\npercent_day = 12\n",
+            "perhaps 'percent_a_day' is meant",
+        ),
+        ("[[student]]\nid = 3\n", "line 1: in student 1, the field 'name' is missing"),
         ('[[student]]\nname = "A"\nid = 3\n[[student]]\nname = "B"\nid = 3\n', "share '3'"),
-        ('student = "Ada"\n', "[[student]]"),
+        ('student = "Ada"\n', "must be a list in [...]"),
         ("late = 3\n", "must be a table"),
-        ("[class]\n", "unknown entry 'class'"),
+        ("[class]\n", "unknown field 'class'"),
         ("= broken", "cannot be read"),
     ],
 )

@@ -1,8 +1,9 @@
 """What the tests of the sandbox share: limits, a good notebook, and helpers."""
 
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
+
+from msgspec.structs import replace
 
 from autograder.course import Settings
 from autograder.sandbox.launcher import Sandbox, Session

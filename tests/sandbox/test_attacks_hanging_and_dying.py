@@ -1,8 +1,7 @@
 """Attempts to take for ever and to end what grades; the kind of isolation makes no difference."""
 
-from dataclasses import replace
-
 import pytest
+from msgspec.structs import replace
 from small_course import NUMBER, asked
 
 from autograder.sandbox.launcher import Stopped

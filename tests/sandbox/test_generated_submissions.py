@@ -8,11 +8,11 @@ within its budget, no file outside changes, and no process is left.
 
 import os
 import time
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
 from hostile import submission
+from msgspec.structs import replace
 from small_course import CASE, LIMITS, NUMBER, SECRET, check_good, tree
 
 from autograder.sandbox.launcher import Sandbox, Stopped
@@ -26,7 +26,7 @@ BUDGET = 2**20  # kB over its start
 
 
 def resident() -> int:
-    lines = Path("/proc/self/status").read_text().splitlines()
+    lines = Path("/proc/self/status").read_text(encoding="utf-8").splitlines()
     return next(int(line.split()[1]) for line in lines if line.startswith("VmHWM"))
 
 

@@ -1,8 +1,7 @@
 """Memory in the buffers of sockets, and in many forks, counts; the environment shows nothing."""
 
-from dataclasses import replace
-
 import pytest
+from msgspec.structs import replace
 from small_course import CASE, LIMITS, Lab
 
 from autograder.sandbox.launcher import Stopped

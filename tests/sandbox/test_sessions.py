@@ -172,7 +172,7 @@ def test_restarts_do_not_give_a_submission_more_time(sandbox):
 
 
 def test_cells_after_the_notebooks_time_are_not_run(sandbox):
-    from dataclasses import replace
+    from msgspec.structs import replace
 
     from autograder.sandbox.session import Session
 
@@ -186,7 +186,7 @@ def test_cells_after_the_notebooks_time_are_not_run(sandbox):
 
 
 def test_processor_time_is_limited_by_a_setting_and_the_mark_says_so(sandbox):
-    from dataclasses import replace
+    from msgspec.structs import replace
 
     from autograder.sandbox.session import Session
 

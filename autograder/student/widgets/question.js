@@ -26,6 +26,7 @@ function openQuestion({ model, el, draw, unkept, checkable = true }) {
   controls.append(body, actions);
   if (fixed.prompt) root.append(make("div", { class: "ag-prompt", html: fixed.prompt }));
   root.append(refusal, controls, mark, hints, announcer);
+  if (fixed.foot) root.append(make("p", { class: "ag-foot" }, fixed.foot));
 
   function drawAll(lost = false) {
     const state = model.get("state");
