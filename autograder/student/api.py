@@ -11,6 +11,7 @@ from typing import Any
 from autograder.course import Course, load_course
 from autograder.errors import AutograderError, UsageError
 from autograder.kinds.registry import kind_of
+from autograder.language import follow_environment
 from autograder.student import unsaved
 from autograder.student.course_path import course_of_notebook, put_course_first
 from autograder.student.desk import Desk
@@ -33,6 +34,7 @@ MISSING: object = object()
 
 put_course_first()
 unsaved.watch()
+follow_environment()
 
 
 @lru_cache(maxsize=1)

@@ -12,6 +12,7 @@ from typing import Any
 
 MOST_MESSAGE = 300
 _CELLS = ("<ipython-input", "ipykernel")
+_TOP = ("<module>", "<cell line")  # IPython 7 calls a cell's own code by its first line
 
 
 def tell(error: BaseException) -> dict[str, Any]:
@@ -40,7 +41,7 @@ def after_import(code: str, error: BaseException) -> str | None:
     lines = [
         frame.lineno
         for frame in traceback.extract_tb(error.__traceback__)
-        if frame.name == "<module>" and any(name in frame.filename for name in _CELLS)
+        if frame.name.startswith(_TOP) and any(name in frame.filename for name in _CELLS)
     ]
     try:
         statements = ast.parse(code).body
