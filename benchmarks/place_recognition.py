@@ -325,7 +325,7 @@ def _faiss(missing: list[str]) -> Any:
     return faiss
 
 
-def _call(function: Callable[..., Any], *arguments: Any) -> Callable[[], Any]:
+def _call(function: Callable[..., Any], *arguments: Any) -> Callable[[], object]:
     return lambda: function(*arguments)
 
 

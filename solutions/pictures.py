@@ -36,7 +36,7 @@ def fitted_line(case: dict[str, Any], expected: Any, actual: Any) -> dict[str, o
     }
 
 
-def consensus(case: dict[str, Any], expected: Any, actual: Any) -> dict[str, Any] | None:
+def consensus(case: dict[str, object], expected: Any, actual: Any) -> dict[str, Any] | None:
     """Describe the line that RANSAC found, from the pairs (line, inliers)."""
     return fitted_line(case, expected[0], actual[0])
 

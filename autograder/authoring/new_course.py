@@ -13,7 +13,6 @@ from dataclasses import dataclass
 from importlib.metadata import PackageNotFoundError, distribution
 from pathlib import Path
 from string import Template
-from typing import Any
 from urllib.parse import unquote, urlparse
 
 from autograder import __version__
@@ -22,6 +21,7 @@ from autograder.authoring.schema import schema_files
 from autograder.course import Course
 from autograder.course.settings import changed_limits
 from autograder.errors import UsageError
+from autograder.exchange.messages import Message
 
 TEMPLATE = Path(__file__).parent / "template"
 # Of the template, what belongs to the example chapter and is left out by `--from`.
@@ -130,7 +130,7 @@ def engine_source() -> Source:
         noted = distribution(ENGINE).read_text("direct_url.json")
     except PackageNotFoundError:
         noted = None
-    origin: dict[str, Any] = json.loads(noted) if noted else {}
+    origin: Message = json.loads(noted) if noted else {}
     if "vcs_info" in origin:
         commit = str(origin["vcs_info"].get("commit_id", ""))
         return Source(None, str(origin["url"]), commit, str(origin.get("subdirectory", "")))

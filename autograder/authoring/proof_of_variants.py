@@ -10,7 +10,6 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 
@@ -28,12 +27,14 @@ _TRIVIAL = (0, 1)
 _NUDGE = 1e-12  # relative; more than an honest order of operations makes of float64
 _SEED = 1
 
+Numbers = dict[str, int | float]  # of a variant, by their names
+
 
 def prove_variants(course: Course) -> Iterator[str]:
     """One sentence for each problem, with the question and the numbers of the first variant."""
     for id, written in course.varied.items():
         assert written.variables is not None
-        told: dict[str, tuple[dict[str, Any], int]] = {}
+        told: dict[str, tuple[Numbers, int]] = {}
         for variant in _chosen(written.variables):
             numbers = written.variables.numbers(variant)
             for problem in _problems(course, id, variant, numbers):
@@ -52,7 +53,7 @@ def _chosen(variables: Variables) -> list[int]:
     return sorted({0, *map(int, drawn)})
 
 
-def _problems(course: Course, id: str, variant: int, numbers: dict[str, Any]) -> Iterator[str]:
+def _problems(course: Course, id: str, variant: int, numbers: Numbers) -> Iterator[str]:
     try:
         own = course.with_variants({id: variant})
         question, answer = own.question(id), own.key[id]
@@ -78,7 +79,7 @@ def _problems(course: Course, id: str, variant: int, numbers: dict[str, Any]) ->
 
 
 def _weak_numbers(
-    course: Course, question: Question, answer: Answer, numbers: dict[str, Any]
+    course: Course, question: Question, answer: Answer, numbers: Numbers
 ) -> Iterator[str]:
     """What is wrong with the right values, as numbers."""
     _, tables = course.answer_tables[question.chapter]
@@ -102,7 +103,7 @@ def _weak_numbers(
             yield f"the solved cell gives {solved:g}, and the key says {wanted:g}."
 
 
-def _jumps(formula: str, numbers: dict[str, Any], value: float) -> bool:
+def _jumps(formula: str, numbers: Numbers, value: float) -> bool:
     """Whether the value is another by much when a number is another by next to nothing."""
     for name, number in numbers.items():
         if isinstance(number, int):
@@ -114,7 +115,7 @@ def _jumps(formula: str, numbers: dict[str, Any], value: float) -> bool:
     return False
 
 
-def _solved(code: str, numbers: dict[str, Any]) -> float | None:
+def _solved(code: str, numbers: Numbers) -> float | None:
     """The value of the author's code, as far as it is a formula of the variables alone."""
     try:
         return value_of(re.sub(r"\b(math|np)\.", "", code), numbers)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, TypedDict
 
 from rich.console import Console
 
@@ -95,10 +95,23 @@ def _read(path: Path) -> str:
         raise UsageError(f"{path} cannot be read: {error}.") from None
 
 
-def _differences(before: ClassView, after: ClassView) -> list[dict[str, Any]]:
+class _Row(TypedDict):
+    """A student before and after."""
+
+    student: str
+    name: str
+    before: float
+    after: float
+    share_before: float
+    share_after: float
+    questions: list[str]
+    not_yet_marked: list[str]
+
+
+def _differences(before: ClassView, after: ClassView) -> list[_Row]:
     """Each student's points and share before and after, by name."""
     old = {record.student: record for record in before.records}
-    rows = []
+    rows: list[_Row] = []
     for record in after.records:
         was = old[record.student]
         changed = [
@@ -125,9 +138,7 @@ def _share(record: Record, most: float) -> float:
     return round(record.total / most, 4) if most else 0.0
 
 
-def _tell(
-    console: Console, before: ClassView, after: ClassView, rows: list[dict[str, Any]]
-) -> None:
+def _tell(console: Console, before: ClassView, after: ClassView, rows: list[_Row]) -> None:
     from autograder.reports.terminal import printable
 
     most, most_after = before.scheme.most, after.scheme.most

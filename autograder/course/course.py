@@ -18,7 +18,7 @@ from autograder.course.settings import Settings, read_settings
 from autograder.course.toml_file import read_toml, unreadable
 from autograder.errors import CourseError, UsageError
 from autograder.kinds.registry import load_kind
-from autograder.kinds.strict import Place, read_table
+from autograder.kinds.strict import Place, Table, read_table
 from autograder.kinds.variables import Variables, read_variables
 from autograder.language import use
 
@@ -199,13 +199,13 @@ class Course:
         return answer_from_table(table, question, text, self.numbers(question.id))
 
     @cached_property
-    def answer_tables(self) -> dict[str, tuple[str, dict[str, Any]]]:
+    def answer_tables(self) -> dict[str, tuple[str, Table]]:
         """For each chapter the text of its key, and the tables in it.
 
         Raises:
             CourseError: if an answer is missing or left over.
         """
-        read: dict[str, tuple[str, dict[str, object]]] = {}
+        read: dict[str, tuple[str, Table]] = {}
         for chapter in self.chapters if self.has_key else ():
             path = self.root / ANSWERS / f"{chapter.name}.toml"
             text, tables = read_toml(path, f"write the answers to {chapter.name}.toml there")

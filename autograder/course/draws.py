@@ -13,17 +13,14 @@ key, proves each draw.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Any
-
-from autograder.kinds.strict import Place
+from autograder.kinds.strict import Place, Table
 from autograder.kinds.variables import Variables
 
 FIELD = "draws"
 DRAW = "draw"  # the variable that says which draw a variant has
 
 
-def read_draws(table: Mapping[str, object], listed: str, place: Place) -> Variables:
+def read_draws(table: Table, listed: str, place: Place) -> Variables:
     """The draws of a question as its variables; ``listed`` is the field that they draw from.
 
     Raises:
@@ -56,9 +53,7 @@ def read_draws(table: Mapping[str, object], listed: str, place: Place) -> Variab
     return Variables(str(table.get("id")), {DRAW: tuple(range(len(draws)))})
 
 
-def drawn(
-    table: Mapping[str, Any], field: str, draws: list[list[int]], numbers: Mapping[str, Any]
-) -> dict[str, Any]:
+def drawn(table: Table, field: str, draws: list[list[int]], numbers: Table) -> Table:
     """A question's or a key's table with only those entries of a list that a variant has."""
     entries = table.get(field)
     rest = {key: value for key, value in table.items() if key != FIELD}

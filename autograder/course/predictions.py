@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from typing import Annotated, Any
+from typing import Annotated, Any, TypeGuard
 
 import msgspec
 from msgspec import Meta
@@ -55,7 +55,7 @@ class Prediction(Written, frozen=True, kw_only=True):
         """The same with numbers in its prompt."""
         return msgspec.structs.replace(self, prompt=fill_text(self.prompt, numbers))
 
-    def fits(self, value: object) -> bool:
+    def fits(self, value: object) -> TypeGuard[Guess]:
         """Whether something stored, by anybody, can be this prediction."""
         if self.between is None:
             return isinstance(value, str) and value in self.choices

@@ -13,7 +13,7 @@ from autograder.course.draws import FIELD, drawn, read_draws
 from autograder.course.filling import fill
 from autograder.kinds.question import Question
 from autograder.kinds.registry import has_kind, kind_named, kind_names
-from autograder.kinds.strict import Place, read_table
+from autograder.kinds.strict import Place, Table, read_table
 from autograder.kinds.variables import Variables, read_variables
 
 __all__ = ["Question", "Written", "question_from_table"]
@@ -23,7 +23,7 @@ __all__ = ["Question", "Written", "question_from_table"]
 class Written:
     """A ``[[question]]`` table as it stands, at ``position`` in the ``text`` of its file."""
 
-    table: Mapping[str, Any]
+    table: Table
     chapter: str
     text: str = ""
     position: int = 0
@@ -72,7 +72,7 @@ class Written:
     @classmethod
     def read(
         cls,
-        table: Mapping[str, object],
+        table: Table,
         chapter: str,
         text: str,
         position: int,
@@ -104,9 +104,7 @@ class Written:
         return written
 
 
-def question_from_table(
-    table: Mapping[str, object], chapter: str, text: str = "", position: int = 0
-) -> Question:
+def question_from_table(table: Table, chapter: str, text: str = "", position: int = 0) -> Question:
     """Read one ``[[question]]`` table: the one at ``position`` in the ``text`` of its file.
 
     Raises:

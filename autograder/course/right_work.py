@@ -11,8 +11,8 @@ from __future__ import annotations
 import importlib
 import inspect
 import tomllib
+from collections.abc import Callable
 from pathlib import Path
-from typing import Any
 
 from autograder.course.course import Course
 from autograder.course.own_code import OWN, put_first
@@ -28,7 +28,7 @@ def has_right_work(course: Course) -> bool:
     return (course.root / FOLDER).is_dir()
 
 
-def right_work_of(course: Course, question: Question) -> dict[str, Any]:
+def right_work_of(course: Course, question: Question) -> dict[str, object]:
     """The variants of a question by what they are called: functions, or texts as typed.
 
     Raises:
@@ -36,7 +36,7 @@ def right_work_of(course: Course, question: Question) -> dict[str, Any]:
     """
     typed = _typed(course)
     if question.name is not None and (course.root / FOLDER / f"{question.name}.py").is_file():
-        return _functions(course, question.name)
+        return {**right_functions(course.root, question.name)}
     return {text: text for text in typed.get(question.id, ())}
 
 
@@ -58,9 +58,16 @@ def unexpected_right_work(course: Course) -> list[str]:
     ]
 
 
-def _functions(course: Course, name: str) -> dict[str, object]:
+def right_functions(root: Path, name: str) -> dict[str, Callable[..., object]]:
+    """The variants of the function of this name; none if there is no such module.
+
+    Raises:
+        CourseError: if the module cannot be loaded.
+    """
+    if not (root / FOLDER / f"{name}.py").is_file():
+        return {}
     module = ".".join([*FOLDER.parts, name])
-    put_first(course.root, set(OWN))
+    put_first(root, set(OWN))
     try:
         loaded = importlib.import_module(module)
     except Exception as error:  # the course's own code may do anything

@@ -7,14 +7,13 @@ handed something in is settled by the class list.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
 
 VARIANTS = "AUTOGRADER_VARIANTS"  # tells the process that marks which numbers a notebook has
 FILE = "student"  # the name of the file beside those of the chapters, and of the entry in it
 MOST = 200  # characters
 
 
-def said_to_be(sidecars: Mapping[str, Any]) -> str:
+def said_to_be(sidecars: Mapping[str, Mapping[str, object]]) -> str:
     """The name or number that a student gave; empty if none."""
     entry = sidecars.get(FILE, {}).get(FILE, {})
     name = entry.get("response") if isinstance(entry, dict) else None

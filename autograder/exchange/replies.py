@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import builtins
 import re
-from typing import Any
 
 import numpy as np
 
+from autograder.exchange.messages import Evaluation, Message, Outcome, Report, Told
 from autograder.exchange.printable import printable
 from autograder.exchange.reasons import REASONS
 from autograder.exchange.responses import keep_response
@@ -16,10 +16,10 @@ _CLASS_NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]{0,60}")
 _MAX_TEXT = 200
 _OUTCOMES = ("value", "unusable", "raised")
 _MAX_TABLE = 2**24  # characters of a list as an array of texts
-NOT_PLAIN = {"state": "unusable", "reason": "not plain"}
+NOT_PLAIN: Evaluation = {"state": "unusable", "reason": "not plain"}
 
 
-def clean_report(reply: object, cells: int) -> dict[str, Any]:
+def clean_report(reply: object, cells: int) -> Report:
     """The report on a run: one error (class name or None) a cell, responses, understood texts."""
     reply = _dictionary(reply)
     errors = reply.get("errors")
@@ -39,7 +39,7 @@ def clean_report(reply: object, cells: int) -> dict[str, Any]:
     }
 
 
-def clean_evaluation(reply: Any) -> dict[str, Any]:
+def clean_evaluation(reply: object) -> Evaluation:
     """The reply to a probe, in the form that `autograder.sandbox.inside.evaluate` describes."""
     reply = _dictionary(reply)
     state = reply.get("state")
@@ -54,7 +54,10 @@ def clean_evaluation(reply: Any) -> dict[str, Any]:
         case "given" if isinstance(reply.get("outcomes"), list):
             outcomes = [_outcome(entry) for entry in reply["outcomes"]]
             told = clean_told(reply.get("told"))
-            return {"state": "given", "outcomes": outcomes, **({"told": told} if told else {})}
+            given: Evaluation = {"state": "given", "outcomes": outcomes}
+            if told:
+                given["told"] = told
+            return given
         case "given" if isinstance(reply.get("values"), np.ndarray):
             return {"state": "given", "values": reply["values"]}
         case "given" if _is_number(reply.get("value")):
@@ -62,7 +65,7 @@ def clean_evaluation(reply: Any) -> dict[str, Any]:
     return NOT_PLAIN
 
 
-def clean_told(entry: object) -> dict[str, Any] | None:
+def clean_told(entry: object) -> Told | None:
     """What was told of an exception: kind, message, maybe module, line and source; or None."""
     entry = _dictionary(entry)
     if not entry:
@@ -85,11 +88,11 @@ def clean_text(text: object, limit: int = _MAX_TEXT) -> str:
     return " ".join(line.split())[:limit]
 
 
-def _outcome(entry: object) -> dict[str, Any]:
+def _outcome(entry: object) -> Outcome:
     entry = _dictionary(entry)
     if "value" in entry:
         if entry.keys() <= {"value", "changed", "drawn"} and _is_bounded(entry["value"]):
-            clean = {"value": entry["value"]}
+            clean: Outcome = {"value": entry["value"]}
             if "changed" in entry:
                 clean["changed"] = True
             if type(entry.get("drawn")) is int:
@@ -149,5 +152,5 @@ def _public_name(value: object) -> str:
     return "Exception"
 
 
-def _dictionary(value: object) -> dict[str, Any]:
+def _dictionary(value: object) -> Message:
     return value if isinstance(value, dict) else {}

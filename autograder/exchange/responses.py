@@ -6,8 +6,11 @@ They come from files and processes of students. Only the standard library is use
 from __future__ import annotations
 
 import json
+from typing import Any
 
 RECEIPT = "application/vnd.autograder.response+json"  # the type of an output that is a receipt
+Entry = dict[str, Any]  # of a sidecar: what is kept of one question, as JSON
+
 MAX_RESPONSE = 20_000  # characters of one response as JSON
 MAX_DEPTH = 32
 

@@ -7,10 +7,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any
 
 from autograder.course import Chapter, Course
 from autograder.course.questions import Question
+from autograder.exchange.messages import Evaluation, Outcome, Told
 from autograder.exchange.reasons import REASONS
 from autograder.exchange.replies import NOT_PLAIN
 from autograder.grading.told import defining_cell, import_notes, in_words, shown_code
@@ -23,7 +23,7 @@ from autograder.marking import Mark, not_attempted, stopped
 from autograder.marking.marker import Marker
 from autograder.sandbox.launcher import Sandbox, Session, Stopped
 
-Opening = dict[str, object] | Stopped | None
+Opening = Evaluation | Stopped | None
 _SAY_WHO = "__import__('autograder').me({!r})"  # what the student said in another notebook
 
 
@@ -71,8 +71,8 @@ class _Work:
     """
 
     cells: list[str]
-    receipts: dict[str, Any]
-    given: dict[str, Any]
+    receipts: dict[str, object]
+    given: dict[str, object]
     typed: frozenset[str]
     unreadable: str | None
     is_missing: bool
@@ -107,10 +107,10 @@ def _collect(
 class _Ran:
     """What a student's process said when it had run the cells, of any shape, or why it did not."""
 
-    responses: dict[str, Any] = field(default_factory=dict)
-    understood: dict[str, Any] = field(default_factory=dict)
-    errors: Any = None
-    told: list[dict[str, Any] | None] = field(default_factory=list)
+    responses: dict[str, object] = field(default_factory=dict)
+    understood: dict[str, str] = field(default_factory=dict)
+    errors: list[str | None] = field(default_factory=list)
+    told: list[Told | None] = field(default_factory=list)
     failure: Stopped | None = None
 
 
@@ -121,10 +121,7 @@ def _run_notebook(work: _Work, asked: Sequence[Question], session: Session) -> _
         report = session.run(work.cells, [question.name for question in asked if question.name])
     except Stopped as stop:
         return _Ran(failure=stop)
-    responses, understood = report.get("responses"), report.get("understood")
-    told = report.get("told")
-    told = told if isinstance(told, list) else []
-    return _Ran(_dictionary(responses), _dictionary(understood), report.get("errors"), told)
+    return _Ran(report["responses"], report["understood"], report["errors"], report["told"])
 
 
 def _mark_without_asking(question: Question, work: _Work, ran: _Ran, marker: Marker) -> Mark | None:
@@ -179,7 +176,7 @@ def _mark_named(
     return marker.mark(question.id, response, _line(ran.understood.get(question.name, "")))
 
 
-def _ask(name: str, session: Session, drawn: Drawn, opening: Opening) -> dict[str, Any]:
+def _ask(name: str, session: Session, drawn: Drawn, opening: Opening) -> Evaluation:
     """What comes back for the whole probe, of which the opening was put before.
 
     Raises:
@@ -240,10 +237,10 @@ def _ask_about_the_example(
     return said
 
 
-def _no_value(reply: dict[str, object]) -> str:
+def _no_value(reply: Evaluation) -> str:
     """Why what came back for one input is no value, in words."""
     outcomes = reply.get("outcomes")
-    outcome = outcomes[0] if isinstance(outcomes, list) and outcomes else {}
+    outcome: Outcome = outcomes[0] if outcomes else {}
     if "unusable" in outcome:
         return REASONS[outcome["unusable"]]
     return "it changes its input in place; work on a copy" if "changed" in outcome else ""
@@ -288,7 +285,3 @@ def _line(value: object) -> str:
     """One short printable line of what a student's process said; it may have said anything."""
     text = value if isinstance(value, str) else ""
     return "".join(c if c.isprintable() else " " for c in text[:200])
-
-
-def _dictionary(value: object) -> dict[str, Any]:
-    return value if isinstance(value, dict) else {}

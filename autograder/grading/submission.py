@@ -5,7 +5,6 @@ from __future__ import annotations
 import time
 from collections.abc import Collection
 from dataclasses import replace
-from typing import Any
 
 from autograder.course import Course
 from autograder.course.predictions import Guess
@@ -64,12 +63,14 @@ def predictions_of(contents: Contents, course: Course) -> dict[str, Guess]:
 
     Both are files of a student; what the course does not ask for or does not allow is left out.
     """
-    kept: dict[str, Any] = {}
+    kept: dict[str, object] = {}
     for notebook in contents.notebooks.values():
         kept |= notebook.receipts
     for entries in contents.sidecars.values():
         kept |= {id: entry.get("response") for id, entry in entries.items()}
-    return {id: kept[id] for id, asked in course.predictions.items() if asked.fits(kept.get(id))}
+    return {
+        id: value for id, asked in course.predictions.items() if asked.fits(value := kept.get(id))
+    }
 
 
 def grade_contents(

@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
+from autograder.exchange.messages import Told
+
 LONGEST_CODE = 6000  # characters of a cell that the page of feedback shows
 
 
@@ -26,7 +28,7 @@ def shown_code(cell: str) -> str:
     return code if len(code) <= LONGEST_CODE else code[:LONGEST_CODE] + "\n…"
 
 
-def in_words(told: dict[str, object] | None) -> str:
+def in_words(told: Told | None) -> str:
     """``ValueError: no points, at line 3: total = 1 / len(points)``."""
     if not told:
         return ""
@@ -39,12 +41,12 @@ def in_words(told: dict[str, object] | None) -> str:
     return said
 
 
-def missing_module(told: dict[str, object]) -> str:
+def missing_module(told: Told) -> str:
     """That a module is not there."""
     return f"{told['module']} is not installed where this is marked"
 
 
-def import_notes(chapter: str, told: Sequence[dict[str, object] | None]) -> list[str]:
+def import_notes(chapter: str, told: Sequence[Told | None]) -> list[str]:
     """A note for each module that a notebook imports and that is not there, with its line."""
     notes = []
     for entry in told:

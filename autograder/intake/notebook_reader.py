@@ -13,7 +13,6 @@ import subprocess
 import sys
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
 
 from autograder.exchange.responses import RECEIPT, keep_response
 
@@ -40,7 +39,7 @@ class Notebook:
     """What is taken from a notebook: its code cells in order, and its receipts by question id."""
 
     cells: list[str]
-    receipts: dict[str, Any] = field(default_factory=dict)
+    receipts: dict[str, object] = field(default_factory=dict)
     notes: list[str] = field(default_factory=list)
 
 

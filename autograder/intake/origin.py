@@ -10,8 +10,9 @@ import os
 from dataclasses import asdict, dataclass, replace
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import Any
 from urllib.parse import unquote_to_bytes
+
+from autograder.exchange.messages import Message
 
 LAYOUT, TIMES_FILE, CLASS_LIST, INSIDE, FILE = (
     "layout",  # a side file, a name or a repository of the download
@@ -100,7 +101,7 @@ class Origin:
         return table
 
     @staticmethod
-    def from_dict(table: dict[str, Any]) -> Origin:
+    def from_dict(table: Message) -> Origin:
         """What `to_dict` wrote; nothing was written before the gradebook kept origins."""
         handed_in = table.get("handed_in")
         return Origin(

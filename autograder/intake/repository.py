@@ -17,8 +17,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path, PurePosixPath
-from typing import Any
 
+from autograder.exchange.messages import Message
 from autograder.intake import repository_reader
 from autograder.intake.handed_in import Files, Kept, is_wanted
 from autograder.intake.notebook_reader import Unreadable
@@ -112,9 +112,9 @@ def _coded(path: Path) -> str:
     return base64.b64encode(os.fsencode(path)).decode()
 
 
-def _ask(requests: Sequence[dict[str, Any]]) -> list[dict[str, Any]]:
+def _ask(requests: Sequence[Message]) -> list[Message]:
     """The answer to each; a repository at which the reader dies is passed by."""
-    answers: list[dict[str, Any]] = []
+    answers: list[Message] = []
     while len(answers) < len(requests):
         rest = requests[len(answers) :]
         lines = "".join(json.dumps(request) + "\n" for request in rest)

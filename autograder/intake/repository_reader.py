@@ -16,6 +16,8 @@ import stat
 import sys
 from typing import Any
 
+from autograder.exchange.messages import Message
+
 _MEMORY = 2**30
 _MOST_COMMITS = 20_000
 _MOST_FILES = 100_000
@@ -46,7 +48,7 @@ def main() -> None:
         print(json.dumps(answer), flush=True)
 
 
-def _answer(request: dict[str, Any]) -> dict[str, Any]:
+def _answer(request: Message) -> Message:
     from dulwich.config import ConfigFile
     from dulwich.repo import Repo
 
@@ -82,7 +84,7 @@ def _check(folder: str) -> None:
             raise _Refused("it borrows objects from another repository")
 
 
-def _choose(repo: Any, until: float | None) -> dict[str, object]:
+def _choose(repo: Any, until: float | None) -> Message:
     """The last commit of the branch until a time, or the very last if there is none or no time."""
     head = repo[repo.head()]
     commit, later = head, 0
@@ -100,8 +102,8 @@ def _choose(repo: Any, until: float | None) -> dict[str, object]:
     }
 
 
-def _files(repo: Any, commit: bytes, suffixes: list[str]) -> list[dict[str, object]]:
-    found: list[dict[str, Any]] = []
+def _files(repo: Any, commit: bytes, suffixes: list[str]) -> list[Message]:
+    found: list[Message] = []
     left = [_MOST_ENTRIES, _MOST_BYTES]
     _collect(repo, repo[commit].tree, "", suffixes, found, left, 0)
     return found
@@ -112,7 +114,7 @@ def _collect(
     tree: bytes,
     at: str,
     suffixes: list[str],
-    found: list[dict[str, Any]],
+    found: list[Message],
     left: list[int],
     depth: int,
 ) -> None:

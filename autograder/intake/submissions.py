@@ -9,15 +9,14 @@ import hashlib
 import json
 import re
 import unicodedata
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from datetime import UTC, datetime
 from pathlib import Path, PurePosixPath
-from typing import Any
 
 from autograder.course import Settings
 from autograder.exchange.printable import JOINERS
-from autograder.exchange.responses import keep_response
+from autograder.exchange.responses import Entry, keep_response
 from autograder.intake.archive import shown
 from autograder.intake.handed_in import Files, Kept, read_files
 from autograder.intake.handout import Handout, is_filled_in_by
@@ -78,7 +77,7 @@ class Contents:
     """
 
     notebooks: dict[str, Notebook]
-    sidecars: dict[str, dict[str, Any]] = field(default_factory=dict)
+    sidecars: dict[str, dict[str, Entry]] = field(default_factory=dict)
     unreadable: dict[str, str] = field(default_factory=dict)
     notes: list[str] = field(default_factory=list)
     fingerprint: str = ""
@@ -279,9 +278,9 @@ def _without_copy(stem: str) -> str:
     return stem
 
 
-def _read_sidecars(files: Files, notes: list[str]) -> dict[str, dict[str, object]]:
+def _read_sidecars(files: Files, notes: list[str]) -> dict[str, dict[str, Entry]]:
     """The saved responses by chapter: of the newest piece, the outermost first."""
-    sidecars: dict[str, dict[str, Any]] = {}
+    sidecars: dict[str, dict[str, Entry]] = {}
     left_out = []
     paths = [path for path in files.kept if not is_notebook_name(path.name)]
     for path in sorted(paths, key=lambda path: (-files.kept[path].order, *_plainest(path))):
@@ -297,20 +296,21 @@ def _read_sidecars(files: Files, notes: list[str]) -> dict[str, dict[str, object
     return sidecars
 
 
-def _read_sidecar(data: bytes, name: str) -> dict[str, object]:
+def _read_sidecar(data: bytes, name: str) -> dict[str, Entry]:
     document = parse_json(data, name)
     responses = document.get("responses") if isinstance(document, dict) else None
     if not isinstance(responses, dict):
         raise Unreadable(f"{name} holds no responses.")
-    entries: dict[str, Any] = {}
+    entries: dict[str, Entry] = {}
     for id, entry in responses.items():
         if isinstance(entry, dict) and "response" in entry:
-            entries |= keep_response(id, entry)
+            kept = keep_response(id, entry)
+            entries |= {id: plain for id, plain in kept.items() if isinstance(plain, dict)}
     return entries
 
 
 def _fingerprint(
-    notebooks: dict[str, Notebook], sidecars: dict[str, Any], unreadable: dict[str, str]
+    notebooks: dict[str, Notebook], sidecars: Mapping[str, object], unreadable: dict[str, str]
 ) -> str:
     matter = [
         {name: [book.cells, book.receipts] for name, book in notebooks.items()},

@@ -73,7 +73,10 @@ class CodeKind(Kind[Q, A]):
         )
 
     def lines(self, question: Q, response: object) -> list[str]:
-        return [f'Check it with `check("{question.id}", {question.name})`.']
+        return [f"Check it with `{self.respond_line(question, response)}`."]
+
+    def respond_line(self, question: Q, response: object) -> str:
+        return f'check("{question.id}", {question.name})'
 
     def more_heading(self, question: Q) -> list[str]:
         """What a chapter's notebook shows below the prompt, as lines of Markdown."""

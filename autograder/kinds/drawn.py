@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+from autograder.exchange.messages import Message
 from autograder.kinds.answer import Answer
 from autograder.kinds.question import Question
 
@@ -39,7 +40,7 @@ class Drawn:
     a value cannot be compared), as where no page of feedback goes back to whoever wrote the code.
     """
 
-    probe: dict[str, Any]
+    probe: Message
     expected: Any = None
     shows_first: bool = False
     around: Around = NOTHING_AROUND
@@ -51,6 +52,6 @@ class Drawn:
         return {**self.probe, "cases": self.probe["cases"][:1]} if self.shows_first else None
 
     @property
-    def rest(self) -> dict[str, Any]:
+    def rest(self) -> Message:
         """The probe that is to be sent after the opening; the whole where there is none."""
         return {**self.probe, "cases": self.probe["cases"][1:]} if self.shows_first else self.probe

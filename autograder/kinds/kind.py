@@ -14,6 +14,7 @@ from typing import Any, ClassVar, Generic, TypeVar
 
 import numpy as np
 
+from autograder.exchange.messages import Message
 from autograder.kinds.answer import Alternative, Answer
 from autograder.kinds.drawn import Drawn
 from autograder.kinds.exercise import Exercise
@@ -139,7 +140,7 @@ class Kind(ABC, Generic[Q, A]):
         sent to the process that holds it.
         """
 
-    def example(self, drawn: Drawn) -> tuple[dict[str, Any], Any] | None:
+    def example(self, drawn: Drawn) -> tuple[Message, Any] | None:
         """An input that students may see, with its right result, to draw beside theirs."""
         return None
 
@@ -152,6 +153,10 @@ class Kind(ABC, Generic[Q, A]):
     @abstractmethod
     def lines(self, question: Q, response: object) -> list[str]:
         """The question as Markdown, below its prompt, for where no widget can be drawn."""
+
+    def respond_line(self, question: Q, response: object) -> str:
+        """A line of code that answers the question, to copy where no widget can be drawn."""
+        return f'ask("{question.id}").respond(...)'
 
     @abstractmethod
     def widget(self, desk: object, question: Q, *checked: object) -> Any:
@@ -249,7 +254,7 @@ class Kind(ABC, Generic[Q, A]):
 
     def take_snapshot(
         self, question: Q, answer: A, drawn: Drawn, again: Drawn
-    ) -> tuple[dict[str, Any], list[str]] | None:
+    ) -> tuple[Message, list[str]] | None:
         """What a student bundle checks with, as plain data, and the mistakes it cannot tell.
 
         ``drawn`` was drawn for this alone, so that its inputs grade nobody, and ``again`` another:

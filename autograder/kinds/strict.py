@@ -18,6 +18,8 @@ from autograder.errors import CourseError
 from autograder.kinds import toml_lines
 from autograder.kinds.written import BLANK, ID, NAME, Written, check_python_name
 
+Table = dict[str, Any]  # of TOML, before this reader has seen it
+
 W = TypeVar("W", bound=Written)
 
 _WORDS = {

@@ -13,12 +13,12 @@ import os
 import secrets
 import sys
 from dataclasses import replace
-from typing import Any
 
 from autograder.course import load_course
 from autograder.errors import AutograderError
 from autograder.exchange import wire
 from autograder.exchange.identity import VARIANTS
+from autograder.exchange.messages import Message
 from autograder.language import follow_environment
 from autograder.marking.marker import Marker
 
@@ -41,7 +41,7 @@ def main() -> None:
         replies.flush()
 
 
-def _answer(marker: Marker, message: dict[str, Any]) -> dict[str, Any]:
+def _answer(marker: Marker, message: Message) -> Message:
     id = message["question"]
     try:
         if message["do"] == "probe":

@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
-from typing import Any
 
 from autograder.course import Course
 from autograder.errors import CourseError
+from autograder.exchange.messages import Message
 from autograder.exchange.reasons import REASONS
 from autograder.kinds.mark import Mark, not_attempted, stopped
 from autograder.kinds.pack import unpack
@@ -26,7 +26,7 @@ class SnapshotMarker:
 
     def __init__(self, course: Course) -> None:
         self._course = course
-        self._snapshots: dict[str, dict[str, Any]] = {}
+        self._snapshots: dict[str, Message] = {}
         for path in sorted((course.root / SNAPSHOTS).glob("*.json")):
             try:
                 self._snapshots |= unpack(json.loads(path.read_text(encoding="utf-8")))
@@ -40,7 +40,7 @@ class SnapshotMarker:
         snapshot = self._snapshots.get(id)
         return snapshot is not None and bool(snapshot["checked"])
 
-    def probe(self, id: str) -> dict[str, Any]:
+    def probe(self, id: str) -> Message:
         """What the kernel has to evaluate for a question."""
         question = self._course.question(id)
         return kind_of(question).snapshot_probe(question, self._snapshots.get(id))

@@ -5,9 +5,8 @@ What a snapshot of a question holds is the business of its kind.
 
 from __future__ import annotations
 
-from typing import Any
-
 from autograder.course import Chapter, Course
+from autograder.exchange.messages import Message
 from autograder.kinds.pack import pack
 from autograder.kinds.registry import kind_of
 from autograder.marking.draw import draw
@@ -16,7 +15,7 @@ from autograder.marking.draw import draw
 SEED = 1 << 40
 
 
-def chapter_snapshots(course: Course, chapter: Chapter) -> tuple[dict[str, Any], list[str]]:
+def chapter_snapshots(course: Course, chapter: Chapter) -> tuple[Message, list[str]]:
     """The snapshots of a chapter's questions by id, as JSON data, and what they cannot tell."""
     snapshots: dict[str, object] = {}
     blind: list[str] = []

@@ -9,12 +9,11 @@ have equal scales.
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from autograder.course import Course
 from autograder.course.loading import load_object
+from autograder.exchange.messages import Message
 from autograder.kinds.registry import kind_of
 from autograder.marking import Mark
 from autograder.marking.marker import Marker
@@ -58,7 +57,7 @@ class Pictures:
         return draw(described) if described else ""
 
 
-def draw(described: dict[str, Any]) -> str:
+def draw(described: Message) -> str:
     """A figure with its key, from the description of a picture."""
     layers = [
         (layer["kind"], np.asarray(layer["xy"], dtype=float).reshape(-1, 2), str(layer["label"]))

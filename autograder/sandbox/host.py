@@ -15,12 +15,12 @@ from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import Any
 
 import autograder
 from autograder.course import Settings
 from autograder.errors import AutograderError, MachineError, machine_error, short_of
 from autograder.exchange.channel import Channel
+from autograder.exchange.messages import Message
 from autograder.sandbox import bubblewrap, landlock, seccomp
 from autograder.sandbox.bytecode import stale_modules
 from autograder.sandbox.identity import OwnIdentity
@@ -96,7 +96,7 @@ class Host:
         self.wait_until_ready()
         self._require_room()
         self._number += 1
-        self._gone: dict[str, Any] | None = None
+        self._gone: Message | None = None
         try:
             ours, theirs = socket.socketpair()
         except OSError as error:
@@ -181,7 +181,7 @@ class Host:
         except OSError:
             raise HostError("The sandbox has ended.") from None
 
-    def _expect(self, word: str) -> dict[str, Any]:
+    def _expect(self, word: str) -> Message:
         deadline = time.monotonic() + _ANSWER_SECONDS
         while True:
             message = self._hear(deadline)
@@ -193,7 +193,7 @@ class Host:
                 short = self._short(message)
                 raise short or HostError(f"A notebook could not be started: {self._said()}")
 
-    def _hear(self, deadline: float) -> dict[str, Any] | None:
+    def _hear(self, deadline: float) -> Message | None:
         self._control.settimeout(max(0.0, deadline - time.monotonic()) or 0.001)
         try:
             data = self._control.recv(2**16)
@@ -215,7 +215,7 @@ class Host:
                 "[tool.autograder]); then grade again."
             )
 
-    def _short(self, message: dict[str, Any] | None) -> MachineError | None:
+    def _short(self, message: Message | None) -> MachineError | None:
         number = (message or {}).get("short")
         return short_of(number, str((message or {})["where"])) if number else None
 
@@ -417,7 +417,7 @@ def compile_libraries() -> None:
         )
 
 
-def limits(settings: Settings) -> dict[str, Any]:
+def limits(settings: Settings) -> Message:
     """What one notebook may use, for the kernel and for the zygote's own look."""
     return {
         "limits": {

@@ -12,10 +12,10 @@ import threading
 import time
 from contextlib import suppress
 from pathlib import Path
-from typing import Any
 
 from autograder.course import Course
 from autograder.exchange import wire
+from autograder.exchange.messages import Evaluation, Message, Report
 from autograder.exchange.replies import clean_evaluation, clean_report
 from autograder.sandbox.own_folder import OwnFolder
 from autograder.sandbox.removal import remove
@@ -47,7 +47,7 @@ class PlainSession:
         self.stop()
         self._own_folder.remove()
 
-    def run(self, cells: list[str], names: list[str]) -> dict[str, Any]:
+    def run(self, cells: list[str], names: list[str]) -> Report:
         """As `Session.run`."""
         self._cells = cells
         settings = self._course.settings
@@ -60,7 +60,7 @@ class PlainSession:
         }
         return clean_report(self._ask(message, settings.notebook_seconds + 2), len(cells))
 
-    def evaluate(self, name: str, probe: dict[str, Any]) -> dict[str, Any]:
+    def evaluate(self, name: str, probe: Message) -> Evaluation:
         """As `Session.evaluate`."""
         if self._process is None:
             self.run(self._cells, [])
@@ -79,7 +79,7 @@ class PlainSession:
         self._process.wait()
         self._process = None
 
-    def _ask(self, message: dict[str, Any], seconds: float) -> dict[str, Any]:
+    def _ask(self, message: Message, seconds: float) -> Message:
         seconds = min(seconds, self._deadline - time.monotonic())
         if seconds <= 0:
             raise out_of_time()

@@ -11,11 +11,11 @@ import time
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass, field
-from typing import Any
 
 from autograder.course import Settings
 from autograder.exchange import wire
 from autograder.exchange.channel import Channel, Late
+from autograder.exchange.messages import Evaluation, Message, Report
 from autograder.exchange.replies import clean_evaluation, clean_report
 from autograder.sandbox.doubt import Doubt
 from autograder.sandbox.host import Host, HostError, limits
@@ -70,7 +70,7 @@ class Session:
     def __exit__(self, *exception: object) -> None:
         self._close()
 
-    def run(self, cells: list[str], names: list[str]) -> dict[str, Any]:
+    def run(self, cells: list[str], names: list[str]) -> Report:
         """Run the cells; ``names`` are the variables whose understood value is wanted.
 
         Returns ``errors`` (the class of its exception, ``timeout``, ``killed`` or None, a cell),
@@ -84,7 +84,7 @@ class Session:
         self._check_deadline()
         return self._run(names)
 
-    def evaluate(self, name: str, probe: dict[str, object]) -> dict[str, Any]:
+    def evaluate(self, name: str, probe: Message) -> Evaluation:
         """Evaluate the response held by ``name``, as `autograder.sandbox.inside.evaluate` says.
 
         Raises:
@@ -137,7 +137,7 @@ class Session:
             raise _stop_by(answer.get("ended_by"))
         return answer
 
-    def _run(self, names: list[str]) -> dict[str, Any]:
+    def _run(self, names: list[str]) -> Report:
         settings = self._settings
         end = min(time.monotonic() + settings.notebook_seconds * PATIENCE, self._deadline)
         began = time.monotonic()
@@ -174,7 +174,7 @@ class Session:
                     self._stopped_cells.setdefault(index, Stopped("timeout"))
             return report
 
-    def _ask(self, message: dict[str, object], seconds: float, deadline: float) -> dict[str, Any]:
+    def _ask(self, message: dict[str, object], seconds: float, deadline: float) -> Message:
         """Send a question and wait for the message with its nonce.
 
         ``seconds`` are of the child's own time, the deadline is on the clock.

@@ -6,7 +6,6 @@ from collections import namedtuple
 from collections.abc import Callable
 from functools import lru_cache
 from pathlib import Path
-from typing import Any
 
 from autograder.course import Course, load_course
 from autograder.errors import AutograderError, UsageError
@@ -15,7 +14,7 @@ from autograder.language import follow_environment
 from autograder.student import unsaved
 from autograder.student.course_path import course_of_notebook, put_course_first
 from autograder.student.desk import Desk
-from autograder.student.frontend import widgets_wanted
+from autograder.student.frontend import colab_notebook, in_colab, widgets_wanted
 from autograder.student.identity import become, student_of
 from autograder.student.live import Live
 from autograder.student.marker_client import marker_for
@@ -31,6 +30,14 @@ from autograder.student.views import (
 )
 
 MISSING: object = object()
+COLAB = (
+    "Download it from the panel of files (the folder on the left) before you close the page: "
+    "Colab forgets its files."
+)
+NO_COPY = (
+    "Colab did not hand over your notebook, so the file lacks it. Run `submit()` again; if that "
+    "does not help, hand in the notebook as well (File, Download, Download .ipynb)."
+)
 
 put_course_first()
 unsaved.watch()
@@ -58,7 +65,7 @@ def _desk() -> Desk:
 class Asked(QuestionView):
     """A question on show; ``respond`` answers it."""
 
-    def respond(self, response: object) -> Any:
+    def respond(self, response: object) -> object:
         """Record a response and mark it.
 
         A true/false question takes a list of True, False or None; an order question a list of
@@ -67,7 +74,7 @@ class Asked(QuestionView):
         return _try(lambda: _respond(self.question.id, response))
 
 
-def ask(id: str) -> Any:
+def ask(id: str) -> object:
     """Show a question.
 
     Args:
@@ -76,7 +83,7 @@ def ask(id: str) -> Any:
     return _try(lambda: _ask(id))
 
 
-def check(id: str, response: object = MISSING) -> Any:
+def check(id: str, response: object = MISSING) -> object:
     """Mark a response: a value, an expression or a function, as the question asks.
 
     For a true/false or an order question, leave the response out: what was answered there is
@@ -93,7 +100,7 @@ def me(name: object = MISSING) -> object:
     return _try(lambda: _me(name))
 
 
-def numbers(story: str) -> Any:
+def numbers(story: str) -> object:
     """Return the numbers of a story, by name and in order: ``N, w, p = numbers("cloud")``.
 
     They are yours where everybody has their own, and else the sheet's.
@@ -101,7 +108,7 @@ def numbers(story: str) -> Any:
     return _try(lambda: _numbers(story))
 
 
-def predict(id: str, value: object = MISSING) -> Any:
+def predict(id: str, value: object = MISSING) -> object:
     """Ask for a prediction, or give one; it is kept and has no points. The first one stands.
 
     Args:
@@ -112,7 +119,7 @@ def predict(id: str, value: object = MISSING) -> Any:
     return _try(lambda: _predict(id, value))
 
 
-def predicted(id: str) -> Any:
+def predicted(id: str) -> object:
     """Return what was predicted, for a picture to draw beside the truth: None if nothing was.
 
     Args:
@@ -131,7 +138,7 @@ def submit() -> object:
     return _try(lambda: _submit())
 
 
-def _try(action: Any) -> object:
+def _try(action: Callable[[], object]) -> object:
     """Say what is wrong in one sentence: a traceback would bury it."""
     try:
         return action()
@@ -140,12 +147,12 @@ def _try(action: Any) -> object:
         return None
 
 
-def _shown(view: object, widget: Callable[[], object]) -> Any:
+def _shown(view: object, widget: Callable[[], object]) -> object:
     """The view itself, or a widget where one can be drawn; it is made only to be drawn."""
     return Live(view, widget) if widgets_wanted() else view
 
 
-def _ask(id: str) -> Any:
+def _ask(id: str) -> object:
     desk = _desk()
     question = desk.course.question(id)
     marker_for(desk.course)  # starts marking in the background while the student reads
@@ -187,7 +194,7 @@ def _me(name: object) -> object:
         return None
     desk = _desk()
 
-    def widget() -> Any:
+    def widget() -> object:
         from autograder.student.widgets.identity import IdentityWidget
 
         return IdentityWidget(desk)
@@ -195,7 +202,7 @@ def _me(name: object) -> object:
     return _shown(IdentityView(desk.student), widget)
 
 
-def _numbers(story: str) -> Any:
+def _numbers(story: str) -> tuple[int | float, ...]:
     given = _desk().course.story(story)
     return namedtuple("Numbers", given)(**given)
 
@@ -209,7 +216,7 @@ def _predict(id: str, value: object) -> object:
         if before is not None and prediction.read(value) != standing:
             print(f"You predicted {prediction.in_words(standing)} before; that stands.")
 
-    def widget() -> Any:
+    def widget() -> object:
         from autograder.student.widgets.prediction import PredictionWidget
 
         return PredictionWidget(desk, prediction)
@@ -220,7 +227,7 @@ def _predict(id: str, value: object) -> object:
 def _progress() -> object:
     desk = _desk()
 
-    def widget() -> Any:
+    def widget() -> object:
         from autograder.student.widgets.progress import ProgressWidget
 
         return ProgressWidget(desk)
@@ -232,7 +239,7 @@ def _submit() -> object:
     desk = _desk()
     view = _pack(desk)
 
-    def widget() -> Any:
+    def widget() -> object:
         from autograder.student.widgets.submission import SubmissionWidget
 
         return SubmissionWidget(desk, view, lambda: _pack(desk))
@@ -241,13 +248,17 @@ def _submit() -> object:
 
 
 def _pack(desk: Desk) -> SubmissionView:
-    packed = pack_submission(desk.course, responses_folder(desk.course.root))
+    on_screen = colab_notebook()
+    packed = pack_submission(desk.course, responses_folder(desk.course.root), on_screen)
     entries = desk.entries()
     unanswered = [
         question
         for question in desk.course.questions.values()
         if not answered(entries[question.chapter].get(question.id))
     ]
+    warning = ""
+    if on_screen is None:
+        warning = NO_COPY if in_colab() else unsaved.unsaved_work(packed.folder)
     return SubmissionView(
-        packed, unanswered, len(desk.course.questions), unsaved.changed_notebook(packed.path.parent)
+        packed, unanswered, len(desk.course.questions), warning, COLAB if in_colab() else ""
     )

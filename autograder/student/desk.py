@@ -10,6 +10,7 @@ from weakref import WeakSet
 from autograder.course import Course
 from autograder.course.predictions import Guess, Prediction
 from autograder.course.questions import Question
+from autograder.exchange.responses import Entry
 from autograder.kinds.mark import Mark, not_attempted, stopped
 from autograder.kinds.registry import kind_of
 from autograder.language import _
@@ -17,7 +18,7 @@ from autograder.sandbox.inside.evaluate import describe, evaluate
 from autograder.student.frontend import running_shell
 from autograder.student.marker_client import marker_for
 from autograder.student.receipts import rescued_entries
-from autograder.student.responses import Entry, Responses, attempts, responses_folder
+from autograder.student.responses import Responses, attempts, responses_folder
 
 
 class Desk:

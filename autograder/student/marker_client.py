@@ -7,12 +7,12 @@ import os
 import subprocess
 import sys
 import threading
-from typing import Any
 
 from autograder.course import Course, load_course
 from autograder.errors import AutograderError, CourseError
 from autograder.exchange import wire
 from autograder.exchange.identity import VARIANTS
+from autograder.exchange.messages import Message
 from autograder.kinds.mark import Mark
 from autograder.marking.snapshots import SNAPSHOTS, SnapshotMarker
 
@@ -58,7 +58,7 @@ class BundleMarker:
         """Whether a response to a question can be marked, or only recorded."""
         return self._is_practice(id) or self._snapshots.can_mark(id)
 
-    def probe(self, id: str) -> dict[str, Any]:
+    def probe(self, id: str) -> Message:
         """What the kernel has to evaluate for a question."""
         return self._for(id).probe(id)
 
@@ -108,9 +108,9 @@ class MarkerClient:
         """Whether a response to a question can be marked, or only recorded."""
         return True
 
-    def probe(self, id: str) -> dict[str, Any]:
+    def probe(self, id: str) -> Message:
         """What the kernel has to evaluate for a question."""
-        probe: dict[str, Any] = self._ask({"do": "probe", "question": id})["probe"]
+        probe: Message = self._ask({"do": "probe", "question": id})["probe"]
         return probe
 
     def mark(self, id: str, response: object, understood: str = "") -> Mark:
@@ -120,7 +120,7 @@ class MarkerClient:
         )
         return Mark.from_dict(reply["mark"])
 
-    def _ask(self, message: dict[str, Any]) -> dict[str, Any]:
+    def _ask(self, message: Message) -> Message:
         stdin, stdout = self._process.stdin, self._process.stdout
         assert stdin is not None
         assert stdout is not None

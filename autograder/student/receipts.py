@@ -7,18 +7,17 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import Any
 
 from autograder.course import Chapter, Course
-from autograder.exchange.responses import RECEIPT
+from autograder.exchange.responses import RECEIPT, Entry
 from autograder.intake.notebook_reader import Unreadable, read_notebook
 from autograder.kinds.registry import kind_of
-from autograder.student.responses import Entry, notebooks_folder
+from autograder.student.responses import notebooks_folder
 
 __all__ = ["RECEIPT", "receipt", "rescued_entries"]
 
 
-def receipt(id: str, response: object) -> dict[str, Any]:
+def receipt(id: str, response: object) -> dict[str, object]:
     """The output that stands for a response."""
     return {"question": id, "response": response}
 

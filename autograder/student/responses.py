@@ -8,14 +8,13 @@ import tempfile
 from collections.abc import Callable
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import Any
 
 from filelock import FileLock, Timeout
 
 from autograder.errors import AutograderError
+from autograder.exchange.responses import Entry
 
 LOCK_SECONDS = 10.0
-Entry = dict[str, Any]
 
 
 class ResponsesError(AutograderError):
@@ -178,7 +177,7 @@ class Responses:
         text = json.dumps({"chapter": self.chapter, "responses": entries}, indent=1)
         descriptor, unfinished = tempfile.mkstemp(dir=self.path.parent, suffix=".tmp")
         try:
-            with open(descriptor, "w", encoding="utf-8") as file:
+            with open(descriptor, "w", encoding="utf-8", newline="\n") as file:
                 file.write(text)
                 file.flush()
                 os.fsync(descriptor)

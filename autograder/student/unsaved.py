@@ -1,45 +1,155 @@
-"""Notices work that was run but not saved: the file on the disk is what is handed in."""
+"""Notices work that was run but not saved: the file on the disk is what is handed in.
+
+Cells are known by their ids where the front end sends those that it saves, as JupyterLab does.
+Visual Studio Code sends addresses of its own instead, other front ends send nothing: there the
+sources of what ran are compared with the saved ones. Whatever was run before the file was saved
+last has been saved with it, so only what ran since then counts. No clock decides that: every run
+remembers which version of the file it met.
+"""
 
 from __future__ import annotations
 
 import json
-from pathlib import Path
+import os
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path, PurePosixPath
 from typing import Any
+from urllib.parse import unquote, urlsplit
 
-from autograder.student.frontend import running_shell
+from autograder.student.frontend import VSCODE_FILE, current_cell, deleted_cells, running_shell
 
-_run: dict[str, str] = {}  # cell id -> the source that was run last
+HOW = "Save the notebook (Ctrl+S, on a Mac ⌘S) and run `submit()` again"
+_VSCODE_CELL = "vscode-notebook-cell"
+# What a student runs to hand in; a cell with nothing else is no work.
+_HANDS_IN = re.compile(r"\s*((from|import) autograder\b.*|(\w+\.)?(submit|progress)\(.*\).*|#.*)?")
+
+
+@dataclass(frozen=True)
+class Run:
+    """What a cell was when it was run last."""
+
+    cell: str | None  # as the front end calls it
+    source: str
+    saved: dict[str, int]  # the versions of the notebooks on the disk at that time, by their names
+
+
+@dataclass(frozen=True)
+class Saved:
+    """A notebook as it is on the disk."""
+
+    name: str
+    version: int
+    by_id: dict[str, str]
+    sources: frozenset[str]
+
+    def knows(self, run: Run) -> bool:
+        """Whether the run is of one of its cells, as far as that can be seen."""
+        return run.cell in self.by_id or run.source in self.sources
+
+
+_runs: dict[str, Run] = {}  # the last run of each cell, or of each source where cells have no id
 
 
 def watch() -> None:
-    """Remember from now on what every cell was when it was run."""
+    """Remember from now on what every cell was when it was run, this one included."""
     shell = running_shell()
-    if shell is not None and hasattr(shell, "kernel"):
-        shell.events.register("pre_run_cell", _remember)
+    if shell is None or not hasattr(shell, "kernel"):
+        return
+    shell.events.register("pre_run_cell", _remember)
+    running = getattr(getattr(shell, "history_manager", None), "input_hist_raw", None)
+    if running and running[-1]:
+        remember(current_cell(), running[-1])
 
 
 def _remember(info: Any) -> None:
-    cell = getattr(info, "cell_id", None)
-    if cell is not None and info.store_history:
-        _run[cell] = info.raw_cell
+    for cell in deleted_cells():
+        _runs.pop(cell, None)
+    if info.store_history:
+        remember(getattr(info, "cell_id", None) or current_cell(), info.raw_cell)
 
 
-def changed_notebook(folder: Path) -> str | None:
-    """The name of the running notebook, if a cell that was run differs from the saved one.
+def remember(cell: str | None, source: str, folder: Path | None = None) -> None:
+    """Note that a cell with this source is run now, in the folder of its notebook."""
+    versions = {path.name: version for path, version in _notebooks(folder or Path.cwd())}
+    _runs[cell or source.strip()] = Run(cell, source.strip(), versions)
 
-    Cells that the file does not hold at all are not counted: they may have been deleted. Which
-    notebook is running is seen from its cells, since a kernel does not know it for certain.
+
+def unsaved_work(folder: Path) -> str:
+    """What to tell a student about work that the notebooks in a folder lack; nothing if none is.
+
+    Only the notebook that is running can be judged. Which one that is, Visual Studio Code says;
+    otherwise it is seen from the cells, since a kernel does not know it for certain.
     """
-    running, most = None, 0
+    runs = list(_runs.values())
+    if not runs:
+        return ""
+    notebooks = [saved for path, version in _notebooks(folder) if (saved := _read(path, version))]
+    running = _running(notebooks, runs)
+    if running is None:
+        return (
+            "Whether your notebook is saved cannot be seen from here: your editor does not say "
+            f"where it is. {HOW}, unless you have just saved it."
+        )
+    since = [run for run in runs if run.saved.get(running.name, running.version) == running.version]
+    if any(run.cell in running.by_id and running.by_id[run.cell] != run.source for run in since):
+        return f"{running.name} differs from what you ran last. {HOW}."
+    lost = [run for run in since if not running.knows(run) and not hands_in(run.source)]
+    if lost:
+        line = lost[-1].source.splitlines()[0].replace("`", "'")
+        line = line if len(line) <= 60 else line[:59] + "…"
+        return (
+            f"{running.name} is saved without code that you ran, such as `{line}`. {HOW}, unless "
+            "you have taken it out."
+        )
+    return ""
+
+
+def hands_in(source: str) -> bool:
+    """Whether code only hands in, so that nothing is lost with it."""
+    return all(_HANDS_IN.fullmatch(line) for line in source.splitlines())
+
+
+def _running(notebooks: list[Saved], runs: list[Run]) -> Saved | None:
+    """The notebook that is running, or None if that cannot be told."""
+    by_name = {saved.name: saved for saved in notebooks}
+    told = _name_in_vscode(runs)
+    if told is not None:
+        return by_name.get(told)
+    session = PurePosixPath(os.environ.get("JPY_SESSION_NAME", "").replace("\\", "/")).name
+    found = [(sum(saved.knows(run) for run in runs), saved) for saved in notebooks]
+    found = [(count, saved) for count, saved in found if count]
+    if found:
+        return max(found, key=lambda entry: (entry[0], entry[1].name == session))[1]
+    return by_name.get(session)
+
+
+def _name_in_vscode(runs: list[Run]) -> str | None:
+    for run in reversed(runs):
+        address = urlsplit(run.cell or "")
+        if address.scheme == _VSCODE_CELL:
+            return PurePosixPath(unquote(address.path)).name
+    shell = running_shell()
+    file = shell.user_ns.get(VSCODE_FILE) if shell is not None else None
+    return PurePosixPath(file.replace("\\", "/")).name if isinstance(file, str) else None
+
+
+def _notebooks(folder: Path) -> Iterator[tuple[Path, int]]:
+    """The notebooks of a folder, each with a number that changes when it is saved."""
     for path in sorted(folder.glob("*.ipynb")):
         try:
-            cells = json.loads(path.read_text(encoding="utf-8"))["cells"]
-            saved = {cell.get("id"): "".join(cell.get("source", "")).strip() for cell in cells}
-        except (OSError, ValueError, KeyError, TypeError, AttributeError):
-            continue
-        known = [cell for cell in _run if cell in saved]
-        same = sum(saved[cell] == _run[cell].strip() for cell in known)
-        if same > most:
-            most = same
-            running = path.name if same < len(known) else None
-    return running
+            yield path, path.stat().st_mtime_ns
+        except OSError:
+            continue  # taken away in the meantime
+
+
+def _read(path: Path, version: int) -> Saved | None:
+    try:
+        cells = json.loads(path.read_text(encoding="utf-8"))["cells"]
+        code = [cell for cell in cells if cell.get("cell_type") == "code"]
+        sources = ["".join(cell.get("source", "")).strip() for cell in code]
+    except (OSError, ValueError, KeyError, TypeError, AttributeError):
+        return None
+    by_id = {cell["id"]: source for cell, source in zip(code, sources, strict=True) if "id" in cell}
+    return Saved(path.name, version, by_id, frozenset(sources))

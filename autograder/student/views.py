@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from autograder.course import Course
 from autograder.course.predictions import Guess, Prediction
 from autograder.course.questions import Question
@@ -39,7 +37,7 @@ class _View:
         """The Markdown, line by line."""
         raise NotImplementedError
 
-    def receipt(self) -> dict[str, Any] | None:
+    def receipt(self) -> dict[str, object] | None:
         """What the grader may read from the saved output."""
         return None
 
@@ -81,7 +79,7 @@ class QuestionView(_View):
         lines += kind_of(question).lines(question, self.response)
         return [*lines, "", self.foot] if self.foot else lines
 
-    def receipt(self) -> dict[str, Any] | None:
+    def receipt(self) -> dict[str, object] | None:
         if self.response is None:
             return None
         return receipt(self.question.id, self.response)
@@ -121,7 +119,7 @@ class PredictionView(_View):
         said = _("Not predicted. To predict, run {call}.").format(call=call)
         return [*lines, *[""] * bool(prediction.choices), said]
 
-    def receipt(self) -> dict[str, Any] | None:
+    def receipt(self) -> dict[str, object] | None:
         return None if self.value is None else receipt(self.prediction.id, self.value)
 
 
@@ -158,7 +156,7 @@ class MarkView(_View):
             ]
         return lines
 
-    def receipt(self) -> dict[str, Any] | None:
+    def receipt(self) -> dict[str, object] | None:
         if self.response is None:
             return None
         return receipt(self.question.id, self.response)
@@ -197,36 +195,38 @@ def _some(count: str, all: str) -> str:
 
 
 class SubmissionView(_View):
-    """What was packed and what is unanswered."""
+    """What was packed, what is unanswered, and above all what the file may lack.
+
+    ``warning`` says what is not saved, ``advice`` what else to do with the file.
+    """
 
     def __init__(
-        self, packed: Packed, unanswered: list[Question], count: int, unsaved: str | None = None
+        self,
+        packed: Packed,
+        unanswered: list[Question],
+        count: int,
+        warning: str = "",
+        advice: str = "",
     ) -> None:
         self.packed = packed
         self.unanswered = unanswered
         self.count = count
-        self.unsaved = unsaved
+        self.warning = warning
+        self.advice = advice
 
     def lines(self) -> list[str]:
         notebooks = [name for name in self.packed.names if name.endswith(".ipynb")]
-        lines = [
-            n_(
-                "**{file}** holds {count} notebook ({names}) and your responses, as last saved. "
-                "Hand in this file.",
-                "**{file}** holds {count} notebooks ({names}) and your responses, as last saved. "
-                "Hand in this file.",
-                len(notebooks),
-            ).format(file=self.packed.path.name, count=len(notebooks), names=", ".join(notebooks)),
-            "",
-        ]
-        if self.unsaved:
-            lines += [
-                _(
-                    "**Not saved yet:** {file} differs from what you ran last. "
-                    "Save it and call `submit()` again."
-                ).format(file=self.unsaved),
-                "",
-            ]
+        held = n_(
+            "**{file}** holds {count} notebook ({names}) and your responses, as last saved.",
+            "**{file}** holds {count} notebooks ({names}) and your responses, as last saved.",
+            len(notebooks),
+        ).format(file=self.packed.path.name, count=len(notebooks), names=", ".join(notebooks))
+        if self.warning:
+            lines = [f"**{_('Not ready to hand in:')}** {self.warning}", "", held, ""]
+        else:
+            lines = [f"{held} {_('Hand in this file.')}", ""]
+        if self.advice:
+            lines += [self.advice, ""]
         if not self.unanswered:
             return [*lines, _("All {count} questions are answered.").format(count=self.count)]
         ids = ", ".join(question.id for question in self.unanswered)

@@ -28,7 +28,7 @@ class Functions(NamedTuple):
     train_tree: Callable[..., Any]
     descend_tree: Callable[..., Any]
     build_inverted_file: Callable[..., Any]
-    idf_weights: Callable[..., Any]
+    idf_weights: Callable[..., object]
 
 
 class Level(NamedTuple):
@@ -73,7 +73,7 @@ class Journey:
         )
 
     @cached_property
-    def spots(self) -> list[Any]:
+    def spots(self) -> list[object]:
         """OpenCV's keypoints of all places, one place after the other."""
         return [spot for name in self.places for spot in self.features[name][0]]
 
@@ -144,7 +144,7 @@ def explore_journey(
     photographs: Images,
     features: Mapping[str, Found],
     places: Sequence[str],
-    functions: Sequence[Callable[..., Any]],
+    functions: Sequence[Callable[..., object]],
 ) -> Explorer:
     """Follow one spot of a photograph down the tree, into the votes and into the best candidate.
 
@@ -211,7 +211,7 @@ def _values(journey: Journey) -> dict[str, Any]:
     }
 
 
-def _level(level: Level, shown: dict[int, int]) -> dict[str, Any]:
+def _level(level: Level, shown: dict[int, int]) -> dict[str, object]:
     examples: dict[str, list[int]] = {}
     visited = [] if level.words is None else np.unique(level.words).tolist()
     for word in visited:
@@ -233,7 +233,7 @@ def _level(level: Level, shown: dict[int, int]) -> dict[str, Any]:
     }
 
 
-def _matches(views: TwoViews) -> dict[str, Any]:
+def _matches(views: TwoViews) -> dict[str, object]:
     pairs = np.column_stack([views.here, views.there]).round(1)
     matrix = views.fundamental
     return {
@@ -253,14 +253,14 @@ def _picture(image: np.ndarray) -> str:
     return "data:image/jpeg;base64," + base64.b64encode(content.tobytes()).decode()
 
 
-def _tried(function: Callable[[], Any]) -> Any:
+def _tried(function: Callable[[], object]) -> Any:
     try:
         return function()
     except NotImplementedError:
         return None
 
 
-def _whole(found: Any, below: int, name: str, what: str) -> np.ndarray:
+def _whole(found: object, below: int, name: str, what: str) -> np.ndarray:
     numbers = np.asarray(found)
     if numbers.size == 0:
         return np.zeros(0, dtype=int)

@@ -264,7 +264,7 @@ def precision_recall(
             said.append(f"{label}, {where}: {right} right, {wrong} wrong, {missed} missed loops")
     if said:
         lines = next(axes for axes in panels[:, 0] if axes.lines).get_legend_handles_labels()
-        fig.legend(*lines, fontsize=9, frameon=False, loc="outside upper center", ncols=3)
+        fig.legend(*lines, fontsize=9, frameon=False, loc="outside lower center", ncols=3)
     guess = predicted_beside(fig, predicted)
     show(fig, f"Precision and recall over the threshold. {'; '.join(said) or NOT_YET} {guess}")
 

@@ -130,7 +130,7 @@ def line_covariance_cases(rng: np.random.Generator) -> list[Case]:
     return cases
 
 
-def same_covariance(case: Case, expected: Any, actual: Any) -> bool:
+def same_covariance(case: Case, expected: Any, actual: object) -> bool:
     """Tell whether two (2, 2) covariances agree to a thousandth of the deviations."""
     try:
         values = np.asarray(actual, dtype=float)

@@ -24,6 +24,21 @@ def cross_products(points, threshold, iterations, rng):
     return fit_line(points[best]), best
 
 
+def consensus_kept(points, threshold, iterations, rng):
+    best = np.array([], dtype=int)
+    for _ in range(iterations):
+        pair = points[rng.choice(len(points), 2, replace=False)]
+        if (pair[0] == pair[1]).all():
+            continue
+        offsets = distances(points, fit_line(pair))
+        inliers = np.flatnonzero(np.abs(offsets) <= threshold)
+        if len(inliers) > len(best):
+            best = inliers
+    if len(best) == 0:
+        raise ValueError("no line")
+    return fit_line(points[best]), best
+
+
 def all_at_once(points, threshold, iterations, rng):
     N = len(points)
     first = rng.integers(N, size=iterations)

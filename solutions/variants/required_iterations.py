@@ -23,6 +23,16 @@ def exponentials(p, w, s):
     return math.ceil(math.log1p(-p) / math.log1p(-math.exp(s * math.log(w))))
 
 
+def one_at_least(p, w, s):
+    if not 0 < p < 1 or not 0 <= w <= 1:
+        raise ValueError("p or w is out of range")
+    if w == 1:
+        return 1
+    if w == 0:
+        return math.inf
+    return max(1, math.ceil(math.log1p(-p) / math.log1p(-(w**s))))
+
+
 def numpy_scalars(p, w, s):
     edge = _edges(p, w)
     return edge or np.ceil(np.log1p(-p) / np.log1p(-(np.float64(w) ** s)))

@@ -77,10 +77,10 @@ def test_a_student_answers_saves_comes_back_hands_in_and_is_graded(
     # Hand in: the panel notices that the cell was not saved.
     chapter.run_cell(chapter.append("submit()"))
     panel = page.get_by_role("group", name="Submission")
-    expect(panel).to_contain_text("holds changes that are not saved")
+    expect(panel).to_contain_text("differs from what you ran last")
     chapter.save()
     panel.get_by_role("button", name="Pack again").click()
-    expect(panel).not_to_contain_text("not saved")
+    expect(panel).not_to_contain_text("Not ready")
     expect(panel).to_contain_text(f"6 of {len(course.questions)} questions are answered")
     page.close()
 

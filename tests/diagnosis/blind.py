@@ -42,16 +42,21 @@ class Blind:
 
 def read_blind_set() -> list[Blind]:
     """Every response of the blind set, functions as their whole text."""
-    found = []
+    found, base = [], read_base()
     for path in sorted(_FOLDER.glob("*.toml")):
-        file = tomllib.loads(path.read_text(encoding="utf-8"))
-        for entry in file["response"]:
-            given = entry.get("given") or entry.get("code") or file["base"][entry["question"]]
+        for entry in tomllib.loads(path.read_text(encoding="utf-8"))["response"]:
+            given = entry.get("given") or entry.get("code") or base[entry["question"]]
             for old, new in entry.get("change", ()):
                 given = given.replace(old, new)
             expect = tuple(entry.get("expect", ()))
             found.append(Blind(entry["question"], entry["error"], given, expect))
     return found
+
+
+def read_base() -> dict[str, str]:
+    """A right function for each question that asks for one."""
+    files = [tomllib.loads(path.read_text(encoding="utf-8")) for path in _FOLDER.glob("*.toml")]
+    return {id: text for file in files for id, text in file.get("base", {}).items()}
 
 
 class BlindMarker:
@@ -95,8 +100,7 @@ class BlindMarker:
                     if all(isinstance(s, kinds) and not s.decorator_list for s in tree.body):
                         with suppress(NameError):  # what needs the chapter's data
                             exec(compile(tree, str(path), "exec"), names)
-            base = tomllib.loads((_FOLDER / "functions.toml").read_text(encoding="utf-8"))["base"]
-            for id, text in base.items():
+            for id, text in read_base().items():
                 if id[1] == chapter:
                     exec(text, names)
             self._chapters[chapter] = names

@@ -129,23 +129,21 @@ def test_an_exception_that_cannot_be_printed_is_still_told():
 
 
 @pytest.mark.parametrize(
-    ("value", "wanted"),
+    ("value", "words"),
     [
-        ('"pandas"', "a list"),
-        ("[3]", "a text"),
+        ('"pandas"', "must be a list"),
+        ("[3]", "must be a text in quotes"),
         ('["no such"]', "as they are imported"),
         ('["a/b"]', "as they are imported"),
     ],
 )
-def test_packages_that_are_no_names_are_refused(tmp_path: Path, value: str, wanted: str, capsys):
+def test_packages_that_are_no_names_are_refused(tmp_path: Path, value: str, words: str, capsys):
     make_course(tmp_path / "course")
     with (tmp_path / "course/pyproject.toml").open("a") as file:
         file.write(f"[tool.autograder]\npackages = {value}\n")
     hand_in(tmp_path / "work", "ada")
     assert main(["--course", str(tmp_path / "course"), "grade", str(tmp_path / "work")]) == 1
-    said = capsys.readouterr().err
-    assert "packages" in said
-    assert wanted in said
+    assert words in capsys.readouterr().err
 
 
 def test_a_package_that_the_course_allows_and_nobody_installed_stops_the_run(tmp_path, capsys):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import os
 import pickle
 import re
@@ -13,10 +14,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import sympy as sp
 from packaging.requirements import Requirement
 
 from autograder.course import Course, load_course
 from autograder.course.loading import load_object
+from autograder.course.right_work import right_work_of
 from autograder.errors import CourseError, UsageError
 from autograder.kinds.expression.answer import ExpressionAnswer
 from autograder.kinds.formula import evaluate_formula
@@ -27,6 +30,7 @@ from autograder.marking.snapshots import SnapshotMarker
 from autograder.release.bundle import release
 from autograder.release.leaks import leaks
 from autograder.sandbox.inside.evaluate import evaluate
+from solutions.lines.line_fitting import Line, fit_line
 from tests.classroom import SECRETS, copy_course, make_course, notebook
 
 REPOSITORY = Path(__file__).parents[2]
@@ -297,6 +301,46 @@ def test_anything_a_function_may_return_gets_a_plain_sentence(
         mark = marker.mark(id, evaluate(response, marker.probe(id)))
         assert mark.status == "wrong"
         assert mark.feedback.isprintable()
+
+
+def in_degrees(points, weights=None):
+    r, alpha = fit_line(points, weights)
+    return Line(r, math.degrees(alpha))
+
+
+def in_degrees_and_exchanged(points, weights=None):
+    r, alpha = fit_line(points, weights)
+    return math.degrees(alpha), r
+
+
+@pytest.mark.parametrize(
+    ("response", "name"),
+    [
+        (in_degrees, "degrees (second result)"),
+        (in_degrees_and_exchanged, "other order, and degrees (second result)"),
+    ],
+)
+def test_a_bundle_names_a_wrong_function_by_its_examples(
+    marker: SnapshotMarker, response: object, name: str
+):
+    mark = marker.mark("Q2.3", evaluate(response, marker.probe("Q2.3")))
+    assert (mark.status, mark.alternative, mark.credit) == ("wrong", name, 0)
+    assert mark.feedback.startswith("It looks as if ")
+
+
+def test_a_bundle_names_a_wrong_formula_by_its_values(marker: SnapshotMarker):
+    alpha, x_c, y_c = sp.symbols("alpha x_c y_c", real=True)
+    right = x_c * sp.cos(alpha) + y_c * sp.sin(alpha)
+    for factor, name in ((-1, "sign turned"), (2, "twice"), (1, None)):
+        mark = marker.mark("Q2.2b", evaluate(factor * right, marker.probe("Q2.2b")))
+        assert mark.alternative == name
+
+
+def test_a_bundle_gives_right_work_in_other_clothes_no_name(course: Course, marker: SnapshotMarker):
+    for id in ("Q1.5", "Q2.3", "Q2.4", "Q3.3"):
+        for style, function in right_work_of(course, course.question(id)).items():
+            mark = marker.mark(id, evaluate(function, marker.probe(id)))
+            assert mark.alternative is None, f"{id} {style}: {mark.feedback}"
 
 
 def test_a_question_may_opt_out_of_being_checked(orchard: Course, tmp_path: Path):

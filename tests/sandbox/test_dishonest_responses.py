@@ -161,7 +161,7 @@ def cell(source: str, kind: str = "code", **fields: object) -> dict[str, object]
 def hand_in(path: Path, *cells: dict[str, object], **metadata: object) -> Path:
     document = {"nbformat": 4, "nbformat_minor": 5, "metadata": metadata, "cells": list(cells)}
     path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(json.dumps(document))
+    path.write_text(json.dumps(document), encoding="utf-8")
     return path
 
 

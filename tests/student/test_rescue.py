@@ -1,4 +1,4 @@
-"""What comes back when the file of responses is lost, and what `submit` says about unsaved work."""
+"""What comes back when the file of responses is lost, and where widgets are shown."""
 
 from __future__ import annotations
 
@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from autograder import ask, progress, submit
-from autograder.student import frontend, live, unsaved
+from autograder import ask, progress
+from autograder.student import frontend, live
 from autograder.student.receipts import RECEIPT
 
 
@@ -61,20 +61,6 @@ def test_whoever_names_a_folder_of_responses_starts_empty(
     save_receipts(own_garden, {"Q1.1": [False, True]})
     monkeypatch.setenv("AUTOGRADER_RESPONSES", str(tmp_path / "empty"))
     assert "→" not in repr(ask("Q1.1"))
-
-
-def test_a_cell_that_was_run_but_not_saved_is_noticed(
-    own_garden: Path, monkeypatch: pytest.MonkeyPatch
-):
-    monkeypatch.setattr(unsaved, "_run", {"ask": 'ask("Q1.1")', "gone": "1 + 1"})
-    assert unsaved.changed_notebook(Path.cwd()) is None
-    path = own_garden / "notebooks/1_garden.ipynb"
-    notebook = json.loads(path.read_text())
-    notebook["cells"].append({**notebook["cells"][0], "id": "area", "source": "area = ..."})
-    path.write_text(json.dumps(notebook))
-    monkeypatch.setattr(unsaved, "_run", {"ask": 'ask("Q1.1")', "area": "area = 12"})
-    assert unsaved.changed_notebook(Path.cwd()) == "1_garden.ipynb"
-    assert "1_garden.ipynb differs from what you ran last" in repr(submit())
 
 
 @pytest.mark.parametrize(

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from autograder.errors import UsageError
+from autograder.exchange.messages import Message
 from autograder.kinds.answer import Alternative
 from autograder.kinds.code import CodeKind
 from autograder.kinds.drawn import Drawn
@@ -134,7 +135,7 @@ class ExpressionKind(CodeKind[Expression, ExpressionAnswer]):
 
     def take_snapshot(
         self, question: Expression, answer: ExpressionAnswer, drawn: Drawn, again: Drawn
-    ) -> tuple[dict[str, Any], list[str]]:
+    ) -> tuple[Message, list[str]]:
         return examples.take_snapshot(answer, drawn.expected), []
 
     def snapshot_probe(

@@ -40,7 +40,7 @@ def mark_expression(
     question: Expression,
     answer: ExpressionAnswer,
     points: Points,
-    values: Any,
+    values: object,
     around: Around = NOTHING_AROUND,
 ) -> Mark:
     """The first alternative with the same values decides.

@@ -2,21 +2,25 @@
 
 from __future__ import annotations
 
-from typing import Any
+from contextlib import suppress
+from dataclasses import replace
 
 import numpy as np
 
+from autograder.exchange.messages import Message
 from autograder.kinds.expression.answer import ExpressionAnswer
 from autograder.kinds.expression.marking import POINT_COUNT, Points, same_values
 from autograder.kinds.expression.question import Expression
 from autograder.kinds.formula import evaluate_formula
 from autograder.kinds.mark import Mark
 from autograder.kinds.snapshot import LATER, wrong
+from autograder.marking.diagnosis.relations import RELATIONS, Diagnosis
 
 _POINTS = 6
+_TELLING = 4  # different values, for a relation to say anything
 
 
-def take_snapshot(answer: ExpressionAnswer, points: Points) -> dict[str, Any]:
+def take_snapshot(answer: ExpressionAnswer, points: Points) -> Message:
     """Some of the points, and the values of what is right there."""
     # Some of both halves, so that what must not depend on a symbol is seen to depend on it.
     chosen = [*range(_POINTS), *range(POINT_COUNT, POINT_COUNT + _POINTS)]
@@ -38,7 +42,7 @@ def take_snapshot(answer: ExpressionAnswer, points: Points) -> dict[str, Any]:
     }
 
 
-def mark_snapshot(question: Expression, snapshot: dict[str, Any], values: Any) -> Mark:
+def mark_snapshot(question: Expression, snapshot: Message, values: object) -> Mark:
     """Right, or wrong with one point at which it differs."""
     if isinstance(values, np.ndarray) and values.ndim == 2 and len(values) > 0:
         marks = [mark_snapshot(question, snapshot, row) for row in values]
@@ -56,12 +60,32 @@ def mark_snapshot(question: Expression, snapshot: dict[str, Any], values: Any) -
     differing = [i for i in known if not np.isclose(values[i], expected[i], rtol=1e-6, atol=1e-9)]
     at = differing[0] if differing else known[0]
     where = ", ".join(f"{name} = {value[at]:.4g}" for name, value in points.items())
-    return wrong(
-        question,
+    said = (
         f"Not equal yet. At {where} it is {_number(values[at])}; "
         f"expected is {_number(expected[at])}"
-        + (" (or that plus a multiple of a period)." if snapshot["accepted"][0]["modulo"] else "."),
+        + (" (or that plus a multiple of a period)." if snapshot["accepted"][0]["modulo"] else ".")
     )
+    found = _related(snapshot["accepted"], values)
+    if found is None:
+        return wrong(question, said)
+    return replace(wrong(question, f"{found.sentence} {said}"), alternative=found.name)
+
+
+def _related(accepted: list[Message], values: np.ndarray) -> Diagnosis | None:
+    """The simplest relation between what is right at the points and what was given."""
+    for relation in RELATIONS:
+        for entry in accepted:
+            expected = entry["values"]
+            if len(np.unique(expected.round(9))) < _TELLING:
+                continue
+            with np.errstate(all="ignore"), suppress(TypeError):  # not for complex numbers
+                if same_values(relation.change(_real(expected)), values, entry["modulo"]):
+                    return Diagnosis(relation.name, relation.sentence)
+    return None
+
+
+def _real(values: np.ndarray) -> np.ndarray:
+    return values.real if np.isrealobj(values) or not values.imag.any() else values
 
 
 def _number(value: complex) -> str:

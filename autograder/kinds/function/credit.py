@@ -10,9 +10,10 @@ failing them loses.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from typing import Any
 
 import numpy as np
+
+from autograder.kinds.function.values import Value, Values
 
 Agrees = Callable[[int, Mapping[str, object]], bool]  # whether an outcome is right for a case
 
@@ -62,14 +63,14 @@ def _is_trivial(
     )
 
 
-def _trivial(case: Mapping[str, Any], right: Mapping[str, Any]) -> Iterator[dict[str, object]]:
+def _trivial(case: Values, right: Values) -> Iterator[dict[str, object]]:
     """What functions return that look at nothing: always the same ones, in the same order."""
     # As a class: what raises the more general exceptions always is right where one is asked for.
     yield {"raised": right.get("raised", "Exception")}
-    constants: tuple[Any, ...] = (None, False, True, 0, 1, 0.0, [], np.zeros(0), np.zeros(0, int))
+    constants: tuple[Value, ...] = (None, False, True, 0, 1, 0.0, [], np.zeros(0), np.zeros(0, int))
     for constant in constants:
         yield _as_asked(case, constant)
-    expected: Any = right.get("value")
+    expected: Value = right.get("value")
     shape = np.shape(expected) if not isinstance(expected, list) else (len(expected),)
     for kind in (float, int):
         yield _as_asked(case, np.zeros(shape, dtype=kind))
@@ -80,6 +81,6 @@ def _trivial(case: Mapping[str, Any], right: Mapping[str, Any]) -> Iterator[dict
         yield _as_asked(case, value)
 
 
-def _as_asked(case: Mapping[str, Any], value: Any) -> dict[str, object]:
+def _as_asked(case: Values, value: Value) -> dict[str, object]:
     """The outcome of a value, as if it had taken the random numbers that it should."""
     return {"value": value, "drawn": case["draws"][0]} if "draws" in case else {"value": value}

@@ -8,11 +8,11 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from typing import Any
 
 import numpy as np
 
 from autograder.kinds.function.repairs import Repair, repairs
+from autograder.kinds.function.values import Value, Values
 from autograder.marking.diagnosis.relations import RELATIONS, Diagnosis
 
 MOST_SECONDS = 0.1  # of a processor, for one response
@@ -20,7 +20,7 @@ _FEWEST = 2  # wrong cases that a relation has to explain
 _TELLING_NUMBERS = 6  # different ones, for a line through them to say anything
 _PLACES = ("first", "second", "third", "fourth")
 Same = Callable[[Mapping[str, object], object, object], bool]
-Change = Callable[[Mapping[str, Any], Any], Any]
+Change = Callable[[Values, Value], Value]
 
 
 class _NotForThis(Exception):
@@ -28,9 +28,9 @@ class _NotForThis(Exception):
 
 
 def diagnose_function(
-    cases: Sequence[Mapping[str, Any]],
-    right: Sequence[Mapping[str, Any]],
-    outcomes: Sequence[Any],
+    cases: Sequence[Values],
+    right: Sequence[Values],
+    outcomes: Sequence[Value],
     verdicts: Sequence[bool],
     same: Same,
     counts_as_right: Same | None = None,
@@ -78,7 +78,7 @@ def diagnose_function(
     return _linear(right, outcomes, order, [i for i in asked if verdicts[i]])
 
 
-def _never_a_value(outcomes: Sequence[Any], wrong: Sequence[int]) -> Diagnosis | None:
+def _never_a_value(outcomes: Sequence[Value], wrong: Sequence[int]) -> Diagnosis | None:
     """Something that is made when it is asked for, in place of what was asked for."""
     reasons = [outcomes[i].get("unusable") for i in wrong if isinstance(outcomes[i], dict)]
     lazy = [reason for reason in reasons if isinstance(reason, str) and reason == "lazy"]
@@ -92,8 +92,8 @@ def _never_a_value(outcomes: Sequence[Any], wrong: Sequence[int]) -> Diagnosis |
 
 
 def _nothing_for_an_empty_case(
-    right: Sequence[Mapping[str, Any]],
-    outcomes: Sequence[Any],
+    right: Sequence[Values],
+    outcomes: Sequence[Value],
     verdicts: Sequence[bool],
     wrong: Sequence[int],
 ) -> bool:
@@ -107,7 +107,7 @@ def _nothing_for_an_empty_case(
     )  # fmt: skip
 
 
-def _is_empty(value: Any) -> bool:
+def _is_empty(value: Value) -> bool:
     if isinstance(value, np.ndarray):
         return value.size == 0
     return isinstance(value, list) and len(value) == 0
@@ -115,9 +115,9 @@ def _is_empty(value: Any) -> bool:
 
 def _is_mended(
     repair: Repair,
-    case: Mapping[str, Any],
-    right: Mapping[str, Any],
-    outcome: Mapping[str, Any],
+    case: Values,
+    right: Values,
+    outcome: Values,
     same: Same,
 ) -> bool:
     if "changed" in outcome:
@@ -131,8 +131,8 @@ def _is_mended(
 
 
 def _linear(
-    right: Sequence[Mapping[str, Any]],
-    outcomes: Sequence[Any],
+    right: Sequence[Values],
+    outcomes: Sequence[Value],
     order: Sequence[int],
     unchanged: Sequence[int],
 ) -> Diagnosis | None:
@@ -177,7 +177,7 @@ def _linear(
     return None
 
 
-def _flat(value: Any) -> np.ndarray | None:
+def _flat(value: Value) -> np.ndarray | None:
     try:
         array = np.asarray(value)
     except ValueError:
@@ -186,7 +186,7 @@ def _flat(value: Any) -> np.ndarray | None:
 
 
 def _right_but(
-    cases: Sequence[Mapping[str, Any]], outcomes: Sequence[Any], wrong: Sequence[int]
+    cases: Sequence[Values], outcomes: Sequence[Value], wrong: Sequence[int]
 ) -> Diagnosis | None:
     """Why right values are wrong all the same."""
     if all("changed" in outcomes[i] for i in wrong):
@@ -205,9 +205,9 @@ def _right_but(
 
 def _explains(
     change: Change,
-    case: Mapping[str, Any],
-    right: Mapping[str, Any],
-    outcome: Mapping[str, Any],
+    case: Values,
+    right: Values,
+    outcome: Values,
     same: Same,
 ) -> bool:
     try:
@@ -219,7 +219,7 @@ def _explains(
 
 
 def _changes(
-    cases: Sequence[Mapping[str, Any]], right: Sequence[Mapping[str, Any]], asked: Sequence[int]
+    cases: Sequence[Values], right: Sequence[Values], asked: Sequence[int]
 ) -> Iterator[tuple[Diagnosis, Change]]:
     """Every relation, the simpler ones first."""
 
@@ -276,6 +276,18 @@ def _changes(
         ),
         ("whether, not how much", "it is returned whether there is something, not how much",
          _on_array(lambda x: x > 0)),
+        ("sorted, without repetitions", "each result stands only once, and they were sorted",
+         _on_array(_without_repetitions)),
+        ("only the first of each", "of each result only the first entry is returned",
+         lambda _, v: [entry[:1] for entry in v]),
+        ("only the last of each", "of each result only the last entry is returned",
+         lambda _, v: [entry[-1:] for entry in v]),
+        ("shares of the whole", "the results were divided by their sum", _on_array(_shares)),
+        ("shares of the whole, in percent", "the results were divided by their sum, in percent",
+         _on_array(lambda x: 100 * _shares(x))),
+        ("divided by the number", "the results were divided by their number",
+         _on_array(lambda x: x / len(x))),
+        ("inverse", "the inverse matrix is returned", _on_array(_inverse)),
         ("the sum", "the results were added up", _on_array(np.sum)),
         ("the mean", "the mean of the results is returned", _on_array(np.mean)),
         ("counts for entries", "it is returned how many there are, and not which", _counts),
@@ -287,6 +299,18 @@ def _changes(
     for relation in RELATIONS:
         diagnosis = Diagnosis(relation.name, relation.sentence)
         yield diagnosis, _deep(relation.change)
+    for digits in (1, 2, 3, 4):
+        words = f"the results were rounded to {digits} decimals; round only what you print"
+        yield told(f"rounded to {digits} decimals", words), _deep(_rounded_to(digits))
+    for place, word in enumerate(_PLACES[:2]):
+        words = f"the {word} quantity is in degrees, and its rows and columns with it"
+        yield told(f"matrix in degrees ({word})", words), _on_array(_matrix_in_degrees(place))
+        for quarter in (1, -1):
+            words = f"an angle is a quarter turn off (in the {word} result)"
+            yield (
+                told(f"a quarter turn off ({word} result)", words),
+                _at(place, _on_array(_turned_by(quarter * np.pi / 2))),
+            )
     for place in range(max((len(cases[i]["args"]) for i in asked), default=0)):
         words = "the entries themselves are returned, not where they stand"
         yield told("entries for indices", words), _entries(place, None)
@@ -326,7 +350,7 @@ def _changes(
     yield told("mask for indices", "the result is a mask, not indices"), _mask
 
 
-def _itself(_: Mapping[str, Any], value: Any) -> object:
+def _itself(_: Values, value: Value) -> object:
     return value
 
 
@@ -334,8 +358,8 @@ def _argument(place: int) -> Change:
     return lambda case, _: case["args"][place]
 
 
-def _on_array(change: Callable[[Any], Any]) -> Change:
-    def changed(_: Mapping[str, Any], value: Any) -> Any:
+def _on_array(change: Callable[[Value], Value]) -> Change:
+    def changed(_: Values, value: Value) -> Value:
         array = np.asarray(value)
         if array.dtype.kind not in "iufb":
             raise _NotForThis
@@ -348,7 +372,7 @@ def _on_array(change: Callable[[Any], Any]) -> Change:
 def _at(place: int, change: Change) -> Change:
     """A change of one of several results."""
 
-    def changed(case: Mapping[str, Any], value: Any) -> Any:
+    def changed(case: Values, value: Value) -> Value:
         if not (isinstance(value, list) and place < len(value) <= len(_PLACES)):
             raise _NotForThis
         return [*value[:place], change(case, value[place]), *value[place + 1 :]]
@@ -356,17 +380,17 @@ def _at(place: int, change: Change) -> Change:
     return changed
 
 
-def _exchanged(_: Mapping[str, Any], value: Any) -> Any:
+def _exchanged(_: Values, value: Value) -> Value:
     if not (isinstance(value, list) and len(value) == 2):
         raise _NotForThis
     return value[::-1]
 
 
-def _deep(change: Callable[[Any], Any]) -> Change:
+def _deep(change: Callable[[Value], Value]) -> Change:
     """A change of every number in a value, lists of unequal lengths included."""
     whole = _on_array(change)
 
-    def changed(case: Mapping[str, Any], value: Any) -> Any:
+    def changed(case: Values, value: Value) -> Value:
         if isinstance(value, list) and any(isinstance(entry, list) for entry in value):
             return [changed(case, entry) if entry != [] else [] for entry in value]
         return whole(case, value)
@@ -377,7 +401,7 @@ def _deep(change: Callable[[Any], Any]) -> Change:
 def _entries(place: int, level: int | None) -> Change:
     """The entries of an argument, or of one array in it, at the right indices."""
 
-    def changed(case: Mapping[str, Any], value: Any) -> Any:
+    def changed(case: Values, value: Value) -> Value:
         argument = case["args"][place]
         rows = np.asarray(argument if level is None else argument[level])
         indices = np.asarray(value)
@@ -388,60 +412,97 @@ def _entries(place: int, level: int | None) -> Change:
     return changed
 
 
-def _one_more_entry(value: Any) -> Any:
+def _one_more_entry(value: Value) -> Value:
     return np.append(value, 0)
 
 
-def _sorted_down(value: Any) -> Any:
+def _sorted_down(value: Value) -> Value:
     return np.sort(value, axis=0)[::-1]
 
 
-def _turned(value: Any) -> Any:
+def _turned(value: Value) -> Value:
     if value.ndim != 2:
         raise _NotForThis
     return value[::-1, ::-1]
 
 
-def _diagonal(value: Any) -> Any:
+def _diagonal(value: Value) -> Value:
     if value.ndim != 2:
         raise _NotForThis
     return np.diag(value)
 
 
-def _only_diagonal(value: Any) -> Any:
+def _only_diagonal(value: Value) -> Value:
     return np.diag(_diagonal(value))
 
 
-def _counts(_: Mapping[str, Any], value: Any) -> Any:
+def _without_repetitions(value: Value) -> Value:
+    if value.ndim != 1:
+        raise _NotForThis
+    return np.unique(value)
+
+
+def _shares(value: Value) -> Value:
+    whole = value.sum()
+    return value / (whole if whole else 1)
+
+
+def _inverse(value: Value) -> Value:
+    if value.ndim != 2 or len(value) < 2:
+        raise _NotForThis
+    return np.linalg.inv(value)
+
+
+def _rounded_to(digits: int) -> Callable[[Value], Value]:
+    return lambda value: np.round(value, digits)
+
+
+def _matrix_in_degrees(place: int) -> Callable[[Value], Value]:
+    def changed(value: Value) -> Value:
+        if value.ndim != 2 or value.shape[0] != value.shape[1] or place >= len(value) > 1:
+            raise _NotForThis
+        scale = np.ones(len(value))
+        scale[place] = 180 / np.pi
+        return value * np.outer(scale, scale)
+
+    return changed
+
+
+def _turned_by(angle: float) -> Callable[[Value], Value]:
+    """An angle turned by another one, in (-pi, pi]."""
+    return lambda value: np.pi - (np.pi - value - angle) % (2 * np.pi)
+
+
+def _counts(_: Values, value: Value) -> Value:
     return [len(entry) for entry in value]
 
 
-def _without_empty(_: Mapping[str, Any], value: Any) -> Any:
+def _without_empty(_: Values, value: Value) -> Value:
     return [entry for entry in value if len(entry)]
 
 
-def _one_hot(case: Mapping[str, Any], value: Any) -> Any:
+def _one_hot(case: Values, value: Value) -> Value:
     indices = np.asarray(value)
     if indices.dtype.kind not in "iu" or indices.ndim != 1 or len(case["args"]) < 2:
         raise _NotForThis
     return indices[:, None] == np.arange(len(case["args"][1]))
 
 
-def _transposed(value: Any) -> Any:
+def _transposed(value: Value) -> Value:
     if value.ndim != 2:
         raise _NotForThis
     return value.T
 
 
-def _first(_: Mapping[str, Any], value: Any) -> Any:
+def _first(_: Values, value: Value) -> Value:
     return value[0]
 
 
-def _mask(case: Mapping[str, Any], value: Any) -> Any:
+def _mask(case: Values, value: Value) -> Value:
     mask = np.zeros(_size(case), dtype=bool)
     mask[np.asarray(value, dtype=int)] = True
     return mask
 
 
-def _size(case: Mapping[str, Any]) -> int:
+def _size(case: Values) -> int:
     return len(case["args"][0])

@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from autograder.course.loading import load_object
+from autograder.course.right_work import right_functions
 from autograder.errors import CourseError
 from autograder.kinds.drawn import Drawn
 from autograder.kinds.function.answer import FunctionAnswer
@@ -34,7 +35,13 @@ def draw(
     reference = load_object(answer.reference, root)
     compare = load_object(answer.compare, root) if answer.compare else close
     expected = Expected(
-        hypotheses=Hypotheses(reference, cases, compare, root),
+        hypotheses=Hypotheses(
+            reference,
+            cases,
+            compare,
+            root,
+            lambda: list(right_functions(root, question.function).values()),
+        ),
         cases=cases,
         outcomes=_outcomes(answer.reference, sent, root),
         compare=compare,

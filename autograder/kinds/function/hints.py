@@ -3,19 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
 
 import numpy as np
 
 from autograder.exchange.reasons import REASONS
 from autograder.kinds.function.question import Function
+from autograder.kinds.function.values import Values
 
 _SHORT = 160  # characters of an input or a value that a hint may show
 
 
-def hint(
-    question: Function, case: Mapping[str, Any], expected: Mapping[str, Any], outcome: Any
-) -> str:
+def hint(question: Function, case: Values, expected: Mapping[str, object], outcome: object) -> str:
     """One failing case, in numbers if they are few."""
     arguments = [_shown(value) for value in case["args"]]
     arguments += [f"{name}={_shown(value)}" for name, value in case.get("kwargs", {}).items()]

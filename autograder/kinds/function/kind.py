@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -21,6 +20,7 @@ from autograder.kinds.function.question import Function
 from autograder.kinds.function.stub import function_stub, reference_source
 from autograder.kinds.function.take_snapshot import take_snapshot
 from autograder.kinds.function.trial import FunctionTrial
+from autograder.kinds.function.values import Value
 from autograder.kinds.mark import Mark
 from autograder.marking.mutants.mutant import Trial
 
@@ -50,14 +50,14 @@ class FunctionKind(CodeKind[Function, FunctionAnswer]):
         outcomes = response.get("outcomes")
         return mark_function(question, answer, drawn.expected, outcomes, drawn.tells)
 
-    def example(self, drawn: Drawn) -> tuple[dict[str, Any], Any] | None:
+    def example(self, drawn: Drawn) -> tuple[dict[str, Value], Value] | None:
         case, outcome = drawn.expected.cases[0], drawn.expected.outcomes[0]
         return (case, outcome["value"]) if case.get("public") and "value" in outcome else None
 
     def picture(self, answer: FunctionAnswer) -> str | None:
         return answer.picture
 
-    def widget(self, desk: Any, question: Function, *checked: Any) -> Any:
+    def widget(self, desk: Value, question: Function, *checked: Value) -> Value:
         from autograder.kinds.function.widget import FunctionWidget
 
         return FunctionWidget(desk, question, *checked)
@@ -111,18 +111,18 @@ class FunctionKind(CodeKind[Function, FunctionAnswer]):
 
     def take_snapshot(
         self, question: Function, answer: FunctionAnswer, drawn: Drawn, again: Drawn
-    ) -> tuple[dict[str, Any], list[str]]:
+    ) -> tuple[dict[str, Value], list[str]]:
         return take_snapshot(answer, drawn.expected, again.expected)
 
     def snapshot_probe(
-        self, question: Function, snapshot: dict[str, Any] | None
+        self, question: Function, snapshot: dict[str, Value] | None
     ) -> dict[str, object]:
         cases = snapshot["cases"] if snapshot else []
         sent = [{"args": case["args"], "kwargs": case.get("kwargs", {})} for case in cases]
         return {**super().snapshot_probe(question, snapshot), "cases": sent}
 
     def mark_snapshot(
-        self, question: Function, snapshot: dict[str, Any], response: dict[str, Any]
+        self, question: Function, snapshot: dict[str, Value], response: dict[str, Value]
     ) -> Mark:
         return examples.mark_snapshot(question, snapshot, response.get("outcomes", []))
 

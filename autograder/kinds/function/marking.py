@@ -7,7 +7,7 @@ import zlib
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
-from typing import Any, Protocol
+from typing import Protocol
 
 import numpy as np
 
@@ -18,11 +18,12 @@ from autograder.kinds.function.diagnosis import diagnose_function
 from autograder.kinds.function.hints import hint
 from autograder.kinds.function.question import Function
 from autograder.kinds.function.shown import shown_outcome
+from autograder.kinds.function.values import Value
 from autograder.kinds.mark import NO_VALUE, Mark, Part, status_for
 from autograder.language import _
 from autograder.marking.diagnosis.relations import Diagnosis
 
-Outcome = dict[str, Any]
+Outcome = dict[str, object]
 Compare = Callable[[dict[str, object], object, object], bool]
 
 
@@ -44,7 +45,7 @@ class Expected:
     random numbers were taken.
     """
 
-    cases: Sequence[dict[str, Any]]
+    cases: Sequence[dict[str, Value]]
     outcomes: Sequence[Outcome]
     compare: Compare
     mistakes: Sequence[tuple[FunctionAlternative, Sequence[Outcome]]]
@@ -55,7 +56,7 @@ def mark_function(
     question: Function,
     answer: FunctionAnswer,
     expected: Expected,
-    outcomes: Any,
+    outcomes: Value,
     tells: bool = True,
 ) -> Mark:
     """Right on every case, or like a known mistake, or right on some kinds of input.
@@ -84,7 +85,7 @@ def mark_function(
     )
     # Without a picture the first case was not asked alone.
     shown = shown_outcome(expected.cases, outcomes) if answer.picture else None
-    known: dict[str, Any] = {"parts": parts, "explanation": answer.explanation, "shown": shown}
+    known: dict[str, Value] = {"parts": parts, "explanation": answer.explanation, "shown": shown}
     if all(verdicts):
         feedback = _("Right on all {count} kinds of input.").format(count=len(kinds))
         return Mark(question.id, "right", 1.0, question.points, feedback, "right", **known)
@@ -249,7 +250,7 @@ def _same_failure(expected: Outcome, actual: dict[str, object]) -> bool:
     return given == right
 
 
-def _drew_as_asked(case: dict[str, Any], outcome: dict[str, Any]) -> bool:
+def _drew_as_asked(case: dict[str, Value], outcome: dict[str, object]) -> bool:
     """Whether as many random numbers were taken as the case says, the ends of "draws" included."""
     if "draws" not in case:
         return True
@@ -322,7 +323,7 @@ def _what_happened(outcomes: Sequence[object], indices: Sequence[int]) -> str:
     return ""
 
 
-def _known_error(name: Any) -> str:
+def _known_error(name: Value) -> str:
     """Only names that Python itself defines are repeated: any other could carry a hidden input."""
     known = isinstance(name, str) and (hasattr(builtins, name) or name == "LinAlgError")
     return name if known else _("an exception")

@@ -23,7 +23,7 @@ def promises(reference: Callable[..., object], expected: Expected) -> list[tuple
     raised: dict[str, dict[str, None]] = {}
     for case, outcome in zip(expected.cases, expected.outcomes, strict=True):
         if "raised" in outcome:
-            raised.setdefault(outcome["raised"], {})[case["name"]] = None
+            raised.setdefault(str(outcome["raised"]), {})[case["name"]] = None
     return [
         (" ".join(f"{error}{when}".split()), list(raised.get(error, ()))) for error, when in found
     ]

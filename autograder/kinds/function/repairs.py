@@ -7,12 +7,13 @@ repaired, and must then count as right.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
-from typing import Any
+from collections.abc import Callable, Iterator
 
 import numpy as np
 
-Case = Mapping[str, Any]
+from autograder.kinds.function.values import Value, Values
+
+Case = Values
 Repair = Callable[[Case, object, object], object]  # of a case, what is right, and what was given
 _PLACES = ("first", "second", "third", "fourth")
 _MOST_NUMBERS = 20_000
@@ -38,6 +39,32 @@ def repairs() -> Iterator[tuple[str, str, Repair]]:
                 _in_each(_at(place, repair)),
             )
     yield from _UNUSUAL
+    yield from _pairs()
+
+
+def _pairs() -> Iterator[tuple[str, str, Repair]]:
+    """Two of them together: a form that is wrong for the whole, and something in the results."""
+    for outer, said, first in _OF_WHOLES[:4]:
+        for inner, words, then in _OF_RESULTS:
+            name, words = f"{outer}, and {inner}", f"{said}, and {words}"
+            yield name, words, _one_after_the_other(first, then)
+            for place, word in enumerate(_PLACES[:2]):
+                yield (
+                    f"{name} ({word} result)",
+                    f"{words}, in the {word} result",
+                    _one_after_the_other(first, _at(place, then)),
+                )
+    for one, said, first in _OF_RESULTS:
+        for two, words, then in _OF_RESULTS:
+            yield (
+                f"{one} (first result), and {two} (second result)",
+                f"{said}, in the first result, and {words}, in the second",
+                _one_after_the_other(_at(0, first), _at(1, then)),
+            )
+
+
+def _one_after_the_other(first: Repair, then: Repair) -> Repair:
+    return lambda case, right, given: then(case, right, first(case, right, given))
 
 
 def _other_order(_: Case, right: object, given: object) -> object:
@@ -52,7 +79,7 @@ def _only_the_first(_: Case, right: object, given: object) -> object:
     return [given, *right[1:]]
 
 
-def _reversed(_: Case, right: Any, given: Any) -> object:
+def _reversed(_: Case, right: object, given: Value) -> object:
     return given[::-1]
 
 
@@ -108,7 +135,7 @@ def _of_mask(_: Case, right: object, given: object) -> object:
     return np.flatnonzero(mask)
 
 
-def _of_others(case: Case, right: Any, given: Any) -> Any:
+def _of_others(case: Case, right: Value, given: object) -> Value:
     array = _numbers(given)
     count = len(case["args"][0])
     if array.dtype.kind not in "iu" or array.ndim != 1 or not np.all(array < count):
@@ -116,7 +143,7 @@ def _of_others(case: Case, right: Any, given: Any) -> Any:
     return np.setdiff1d(np.arange(count), array)
 
 
-def _of_entries(case: Case, right: Any, given: Any) -> Any:
+def _of_entries(case: Case, right: object, given: Value) -> Value:
     """The indices of entries of the first argument."""
     entries, rows = np.asarray(case["args"][0]), np.asarray(given)
     if entries.ndim < 1 or rows.ndim != entries.ndim or rows.shape[1:] != entries.shape[1:]:
@@ -129,14 +156,22 @@ def _of_entries(case: Case, right: Any, given: Any) -> Any:
     return np.flatnonzero(same.any(axis=0))
 
 
-def _of_count(_: Case, right: Any, given: Any) -> object:
+def _of_count(_: Case, right: Value, given: object) -> object:
     if isinstance(given, bool | list | np.ndarray) or given != len(right):
         raise NotForThis
     return right
 
 
+def _of_pairs(_: Case, right: Value, given: Value) -> Value:
+    """The first of each entry, where something stands beside what is asked for."""
+    rows = np.asarray(given)
+    if rows.ndim != 2 or rows.shape[1] < 2 or np.asarray(right).ndim != 1:
+        raise NotForThis
+    return _like(given, rows[:, 0])
+
+
 def _at(place: int, repair: Repair) -> Repair:
-    def repaired(case: Case, right: Any, given: Any) -> object:
+    def repaired(case: Case, right: Value, given: object) -> object:
         if not (isinstance(given, list) and place < len(given) == len(right) <= len(_PLACES)):
             raise NotForThis
         mended = repair(case, right[place], given[place])
@@ -171,6 +206,7 @@ _OF_RESULTS: tuple[tuple[str, str, Repair], ...] = (
     ("one more", "the count begins or ends one too late", _less_one),
     ("degrees", "an angle is in degrees; radians are asked for", _radians),
     ("sign turned", "the sign is turned round", _negative),
+    ("more than asked for", "something stands beside each entry that is not asked for", _of_pairs),
 )
 _UNUSUAL: tuple[tuple[str, str, Repair], ...] = (
     *_OF_RESULTS[:2],

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
 
 from autograder.exchange.sizes import BYTES_A_LIST, BYTES_A_NUMBER, count_parts, unpacked_bytes
+from autograder.kinds.function.values import Value
 
 _MOST_NUMBERS = 400
 
@@ -31,7 +31,7 @@ def shown_value(value: object, limit: int = _MOST_NUMBERS) -> object:
     """
     count = 0
 
-    def plain(entry: object, depth: int) -> Any:
+    def plain(entry: object, depth: int) -> Value:
         nonlocal count
         if isinstance(entry, np.ndarray):
             # Rows without columns are lists as well, although they hold no number.

@@ -6,19 +6,36 @@ A key need not tell each of them from what is right; a response may be one of th
 from __future__ import annotations
 
 import ast
+import copy
 from collections.abc import Iterator
+from itertools import combinations
 
 from autograder.marking.mutants.edits import Edit
 
+_FEW_NAMES = 4  # in one line
 _RELATIVES: dict[str, tuple[str, ...]] = {
     "min": ("max",), "max": ("min",), "argmin": ("argmax",), "argmax": ("argmin",),
-    "sum": ("mean",), "mean": ("sum", "median"), "any": ("all",), "all": ("any",),
+    "sum": ("mean", "max"), "mean": ("sum", "median"), "any": ("all",), "all": ("any",),
     "minimum": ("maximum",), "maximum": ("minimum",),
     "sin": ("cos",), "cos": ("sin",), "ceil": ("floor", "round"), "floor": ("ceil", "round"),
     "log": ("log10", "log2"), "log1p": ("log",), "arctan2": ("arctan",),
     "abs": ("square", "sqrt"), "zeros": ("ones",), "ones": ("zeros",), "sqrt": ("square",),
     "delete": ("take",), "vstack": ("hstack",), "append": ("insert",),
 }  # fmt: skip
+# What says little of a thought: named only where no other change gives the same.
+VAGUE = frozenset(
+    {
+        "constant one more",
+        "constant one less",
+        "one more in a result",
+        "one less in a result",
+        "slice one shorter",
+        "slice one longer",
+        "always the first",
+        "always the second",
+        "part of a condition left out",
+    }
+)
 _LEFT_OUT = frozenset(
     {"abs", "sqrt", "log", "exp", "ceil", "floor", "unique", "sorted", "sort", "round", "set"}
 )
@@ -30,12 +47,25 @@ def slips(node: ast.AST) -> Iterator[tuple[str, Edit]]:
         case ast.BinOp(left=left, op=ast.Pow(), right=right):
             yield "power left out", lambda _: left
             yield "a product for a power", lambda _: ast.BinOp(left, ast.Mult(), right)
+            complement = ast.BinOp(ast.Constant(1), ast.Sub(), left)
+            yield "a complement in a power", lambda _: ast.BinOp(complement, ast.Pow(), right)
+            if isinstance(right, ast.Constant) and right.value == 2:
+                yield "an absolute value for a square", lambda _: _call_of("abs", left)
         case ast.BinOp(left=left, op=ast.Mult(), right=right):
             yield "factor left out", lambda _: left
             yield "factor left out", lambda _: right
         case ast.BinOp(left=left, op=ast.Div(), right=right):
             yield "not divided", lambda _: left
             yield "fraction upside down", lambda _: ast.BinOp(right, ast.Div(), left)
+            if (length := _length_for_sum(right)) is not None:
+                yield "divided by a length", lambda _: ast.BinOp(left, ast.Div(), length)
+        case ast.BinOp(
+            left=ast.BinOp(left=one, op=ast.Div()),
+            op=ast.Add() | ast.Sub() as op,
+            right=ast.BinOp(left=other, op=ast.Div()),
+        ):
+            yield "not divided", lambda _: ast.BinOp(one, op, other)
+            yield "term left out", lambda _: one
         case ast.BinOp(left=left, op=ast.Add() | ast.Sub() as op, right=right):
             yield "term left out", lambda _: left
             other = right if isinstance(op, ast.Add) else ast.UnaryOp(ast.USub(), right)
@@ -48,21 +78,68 @@ def slips(node: ast.AST) -> Iterator[tuple[str, Edit]]:
         case ast.Attribute(value=ast.Name(id="math" | "np"), attr="inf"):
             yield "nothing for infinity", lambda _: ast.Constant(None)
             yield "zero for infinity", lambda _: ast.Constant(0)
+        case ast.Slice(upper=ast.expr() as upper, lower=lower, step=None):
+            for words, op in (("slice one shorter", ast.Sub()), ("slice one longer", ast.Add())):
+                yield words, _sliced(lower, ast.BinOp(upper, op, ast.Constant(1)))
         case ast.keyword(arg="axis", value=ast.Constant(value=0 | 1 as axis)):
             yield "another axis", lambda _: ast.keyword("axis", ast.Constant(1 - axis))
         case ast.Return(value=ast.Constant(value=int())):
             yield "nothing returned", lambda _: ast.Return(ast.Constant(None))
+        case ast.Return(value=ast.Call() | ast.BinOp() as result):
+            for words, op in (
+                ("one more in a result", ast.Add()),
+                ("one less in a result", ast.Sub()),
+            ):
+                yield words, _returning(ast.BinOp(result, op, ast.Constant(1)))
+            names = sorted(_variables(result))
+            for a, b in combinations(names, 2) if len(names) <= _FEW_NAMES else ():
+                exchanged = _Exchanged(a, b).visit(copy.deepcopy(result))
+                yield f"{a} and {b} exchanged", _returning(exchanged)
         case ast.Raise():
             for value in (None, 0, 1):
                 yield "a value for an error", _returned(value)
         case ast.Call(func=ast.Attribute(value=of, attr=name), args=args, keywords=keywords):
             for relative in _RELATIVES.get(name, ()):
-                yield (
-                    f"{relative} for {name}",
-                    _call(ast.Attribute(of, relative, ast.Load()), args, keywords),
-                )
+                near: ast.expr = ast.Attribute(of, relative, ast.Load())
+                if relative == "round":  # which math has not
+                    near = ast.Name(relative, ast.Load())
+                yield f"{relative} for {name}", _call(near, args, keywords)
             if name in _LEFT_OUT and len(args) == 1:
                 yield f"{name} left out", lambda _: args[0]
+            if name in ("sum", "mean"):
+                half = ast.BinOp(
+                    ast.Constant(0.5),
+                    ast.Mult(),
+                    ast.Call(ast.Attribute(of, name, ast.Load()), args, keywords),
+                )
+                yield "halved", lambda _: half
+                if (inside := _inside_abs(of)) is not None:
+                    squares = ast.BinOp(inside, ast.Pow(), ast.Constant(2))
+                    total = ast.Call(ast.Attribute(squares, name, ast.Load()), args, keywords)
+                    yield (
+                        "a length for a sum",
+                        lambda _: ast.BinOp(total, ast.Pow(), ast.Constant(0.5)),
+                    )
+            if name == "log" and len(args) == 1:
+                more = ast.BinOp(ast.Constant(1), ast.Add(), args[0])
+                yield (
+                    "one added inside a logarithm",
+                    _call(ast.Attribute(of, name, ast.Load()), [more], keywords),
+                )
+                if isinstance(args[0], ast.BinOp) and isinstance(args[0].op, ast.Div):
+                    turned = ast.BinOp(args[0].right, ast.Div(), args[0].left)
+                    yield "a share for its logarithm", lambda _: turned
+            if name in ("atan2", "arctan2") and len(args) == 2:
+                opposite: list[ast.expr] = [ast.UnaryOp(ast.USub(), entry) for entry in args]
+                yield (
+                    "the opposite direction",
+                    _call(ast.Attribute(of, name, ast.Load()), opposite, keywords),
+                )
+            if name == "abs" and len(args) == 1:
+                yield (
+                    "a square for an absolute value",
+                    lambda _: ast.BinOp(args[0], ast.Pow(), ast.Constant(2)),
+                )
             if name == "log1p" and len(args) == 1:
                 inside = ast.BinOp(ast.Constant(1), ast.Add(), args[0])
                 for relative in ("log", "log10", "log2"):
@@ -84,6 +161,59 @@ def slips(node: ast.AST) -> Iterator[tuple[str, Edit]]:
                 )
             if name in _LEFT_OUT and len(args) == 1:
                 yield f"{name} left out", lambda _: args[0]
+
+
+def _returning(value: ast.expr) -> Edit:
+    return lambda _: ast.Return(value)
+
+
+def _variables(node: ast.AST) -> set[str]:
+    """The names in an expression, but those of what is called."""
+    called = {id(call.func) for call in ast.walk(node) if isinstance(call, ast.Call)}
+    owners = {id(entry.value) for entry in ast.walk(node) if isinstance(entry, ast.Attribute)}
+    return {
+        entry.id
+        for entry in ast.walk(node)
+        if isinstance(entry, ast.Name) and id(entry) not in called | owners
+    }
+
+
+class _Exchanged(ast.NodeTransformer):
+    """Two names in each other's place."""
+
+    def __init__(self, one: str, other: str) -> None:
+        self._instead = {one: other, other: one}
+
+    def visit_Name(self, node: ast.Name) -> ast.Name:
+        return ast.Name(self._instead.get(node.id, node.id), node.ctx)
+
+
+def _call_of(name: str, argument: ast.expr) -> ast.expr:
+    return ast.Call(ast.Name(name, ast.Load()), [argument], [])
+
+
+def _sliced(lower: ast.expr | None, upper: ast.expr) -> Edit:
+    return lambda _: ast.Slice(lower, upper)
+
+
+def _inside_abs(node: ast.expr) -> ast.expr | None:
+    """What an absolute value is taken of."""
+    match node:
+        case ast.Call(
+            func=ast.Name(id="abs") | ast.Attribute(attr="abs" | "fabs" | "absolute"), args=[inside]
+        ):
+            return inside
+    return None
+
+
+def _length_for_sum(node: ast.expr) -> ast.expr | None:
+    """The root of the sum of squares, where a sum stands: ``x.sum()`` or ``sum(x)``."""
+    match node:
+        case ast.Call(func=ast.Attribute(value=of, attr="sum"), args=args, keywords=keywords):
+            squares = ast.BinOp(of, ast.Pow(), ast.Constant(2))
+            total: ast.expr = ast.Call(ast.Attribute(squares, "sum", ast.Load()), args, keywords)
+            return ast.BinOp(total, ast.Pow(), ast.Constant(0.5))
+    return None
 
 
 def _returned(value: object) -> Edit:
@@ -140,6 +270,20 @@ _WORDS = {
     "infinity for a number": "infinity is returned where a number is asked for",
     "nothing returned": "nothing is returned in a special case",
     "a value for an error": "something is returned where an error is to be raised",
+    "an absolute value for a square": "an absolute value stands for a square",
+    "a square for an absolute value": "a square stands for an absolute value",
+    "divided by a length": "it was divided by the length of a vector, the root of the sum of its "
+    "squares, and not by the sum of its entries",
+    "a length for a sum": "the root of a sum of squares stands for a sum of absolute values",
+    "halved": "a sum is half of what it should be",
+    "slice one shorter": "a range of an array leaves out its last entry",
+    "slice one longer": "a range of an array has one entry too many",
+    "one added inside a logarithm": "one was added inside of a logarithm",
+    "the opposite direction": "a direction is turned round before its angle is taken",
+    "a complement in a power": "the probability of the opposite stands in a power",
+    "a share for its logarithm": "a share stands where its logarithm is asked for",
+    "one more in a result": "the result is one too large",
+    "one less in a result": "the result is one too small",
     "another axis": "it runs along the other axis of the array",
     "an event for its complement": "the probability of an event stands for that of its complement",
 }

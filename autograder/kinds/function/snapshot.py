@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Mapping
 
 import numpy as np
 
+from autograder.kinds.function.diagnosis import diagnose_function
 from autograder.kinds.function.hints import hint
 from autograder.kinds.function.marking import agrees, close
 from autograder.kinds.function.question import Function
+from autograder.kinds.function.values import Value
 from autograder.kinds.mark import Mark, Part, stopped
 from autograder.kinds.snapshot import LATER
+from autograder.marking.diagnosis.relations import Diagnosis
 
 
-def mark_snapshot(question: Function, snapshot: dict[str, Any], outcomes: list[Any]) -> Mark:
+def mark_snapshot(question: Function, snapshot: dict[str, Value], outcomes: list[Value]) -> Mark:
     """Right, or wrong with one case that fails; left open where the key would forgive more."""
     cases = snapshot["cases"]
     verdicts = [
@@ -42,10 +45,29 @@ def mark_snapshot(question: Function, snapshot: dict[str, Any], outcomes: list[A
         )
         return stopped(question, "recorded", feedback)
     feedback = f"Not yet right for: {failing}. {example}"
-    return Mark(question.id, "wrong", 0.0, question.points, feedback, parts=parts)
+    found = _diagnosis(cases, outcomes, verdicts)
+    name = found.name if found else None
+    if found:
+        feedback = f"{found.sentence} {feedback}"
+    return Mark(question.id, "wrong", 0.0, question.points, feedback, name, parts=parts)
 
 
-def _is_wrong(case: dict[str, Any], outcome: Any) -> bool:
+def _diagnosis(
+    cases: list[dict[str, Value]], outcomes: list[Value], verdicts: list[bool]
+) -> Diagnosis | None:
+    """What the response looks like on the examples, which are all that is known here."""
+
+    def same(case: Mapping[str, Value], changed: Value, value: Value) -> bool:
+        return close({}, changed, value)
+
+    try:
+        right = [case["expected"] for case in cases]
+        return diagnose_function(cases, right, outcomes, verdicts, same)
+    except Exception:  # what a student returned may be anything, and need not have a name
+        return None
+
+
+def _is_wrong(case: dict[str, Value], outcome: object) -> bool:
     """Whether an outcome is nothing like the right one, or that of a known mistake."""
     if not (isinstance(outcome, dict) and "value" in outcome and "value" in case["expected"]):
         return True

@@ -12,18 +12,18 @@ known mistakes give: what equals one of those is wrong, and any other difference
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from typing import Any
 
 import numpy as np
 
 from autograder.kinds.function.answer import FunctionAnswer
 from autograder.kinds.function.marking import Expected, agrees, close
+from autograder.kinds.function.values import Value
 from autograder.kinds.pack import pack
 
 
 def take_snapshot(
     answer: FunctionAnswer, drawn: Expected, again: Expected
-) -> tuple[dict[str, Any], list[str]]:
+) -> tuple[dict[str, Value], list[str]]:
     """The cases that students may see, and the mistakes that they do not tell apart.
 
     ``again`` is another draw: a hidden case that stands in both is never used.

@@ -5,10 +5,9 @@ from __future__ import annotations
 import ast
 import math
 import time
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from pathlib import Path
 from types import FunctionType
-from typing import Any
 
 import numpy as np
 
@@ -16,6 +15,7 @@ from autograder.course.loading import load_object
 from autograder.kinds.function.answer import FunctionAnswer
 from autograder.kinds.function.inside.evaluate import evaluate
 from autograder.kinds.function.marking import Outcome, agrees, close
+from autograder.kinds.function.values import Value, Values
 from autograder.marking.mutants.clones import reachable, tree_of, with_changed
 from autograder.marking.mutants.edits import MoreEdits, begin_with, described, edited
 from autograder.marking.mutants.limit import time_limit
@@ -46,7 +46,7 @@ class FunctionTrial(Trial):
         self._compare = load_object(answer.compare, root) if answer.compare else close
         self._draw = draw
         self._reference: Call = load_object(answer.reference, root)
-        self._seeds: dict[int, list[dict[str, Any]]] = {}
+        self._seeds: dict[int, list[dict[str, Value]]] = {}
         self._right: dict[tuple[int, int], Outcome] = {}
         self._told_by: dict[int, int] = {}  # the case that told a mutant with another seed
         self._cheapest: list[int] = []  # the cases, those first that took least time with one seed
@@ -92,7 +92,7 @@ class FunctionTrial(Trial):
             self._seconds[seed, case] = time.process_time() - begin
         return self._right[seed, case]
 
-    def _cases_of(self, seed: int) -> list[dict[str, Any]]:
+    def _cases_of(self, seed: int) -> list[dict[str, Value]]:
         if seed not in self._seeds:
             self._seeds[seed] = self._draw_cases(self._draw(seed))
         return self._seeds[seed]
@@ -111,10 +111,10 @@ def outcome_of(call: Call, case: dict[str, object]) -> Outcome:
 def mutants_of(
     reference: Call,
     others: Collection[Call],
-    cases: list[dict[str, Any]],
+    cases: list[dict[str, Value]],
     root: Path,
     more_edits: MoreEdits | None = None,
-    more_names: Mapping[str, Any] | None = None,
+    more_names: Values | None = None,
     prepare: Callable[[ast.FunctionDef], ast.FunctionDef] = lambda tree: tree,
 ) -> Iterator[tuple[Mutant, Call]]:
     """The mutants of a reference and of what it calls but ``others``, ready to be called.
@@ -150,7 +150,7 @@ def mutants_of(
 
 
 def _with_arguments(
-    tree: ast.FunctionDef, public: dict[str, Any]
+    tree: ast.FunctionDef, public: dict[str, Value]
 ) -> Iterator[tuple[Mutant, ast.FunctionDef]]:
     """An argument ignored, or put to use otherwise than asked."""
     names = _names(tree)
@@ -198,7 +198,7 @@ def _is_number_like(value: object) -> bool:
     return isinstance(value, int | float) and not isinstance(value, bool)
 
 
-def _scaled(value: Any, how: str) -> object:
+def _scaled(value: Value, how: str) -> object:
     """An argument, changed; whole numbers stay whole, and nothing stays nothing."""
     if value is None:
         return None
@@ -218,7 +218,7 @@ def _changes(reference: Call, name: str) -> Call:
     """The reference, which afterwards changes one of its inputs."""
     names = _names(tree_of(reference))  # type: ignore[arg-type]
 
-    def changed(*args: object, **kwargs: object) -> Any:
+    def changed(*args: object, **kwargs: object) -> Value:
         result = reference(*args, **kwargs)
         value = {**dict(zip(names, args, strict=False)), **kwargs}.get(name)
         if isinstance(value, np.ndarray) and value.size and value.flags.writeable:

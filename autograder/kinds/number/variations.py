@@ -52,7 +52,7 @@ _FUNCTIONS = frozenset(
     ]
 )
 _BUILTINS: dict[str, Callable[..., Any]] = {"abs": abs, "round": round, "min": min, "max": max}
-_ARITHMETIC: dict[type[ast.operator], Callable[[Any, Any], Any]] = {
+_ARITHMETIC: dict[type[ast.operator], Callable[[object, object], Any]] = {
     ast.Add: operator.add,
     ast.Sub: operator.sub,
     ast.Mult: operator.mul,

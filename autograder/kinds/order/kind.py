@@ -48,7 +48,10 @@ class OrderKind(ChoiceKind[Order, OrderAnswer]):
     def lines(self, question: Order, response: Any) -> list[str]:
         return given.lines(question, response)
 
-    def widget(self, desk: Any, question: Order, *checked: Any) -> Any:
+    def respond_line(self, question: Order, response: Any) -> str:
+        return given.respond_line(question, response)
+
+    def widget(self, desk: Any, question: Order, *checked: object) -> Any:
         from autograder.kinds.order.widget import OrderWidget
 
         return OrderWidget(desk, question)

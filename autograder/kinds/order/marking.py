@@ -8,13 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import permutations, product
-from typing import Any
 
 from autograder.kinds.mark import Mark, Part, not_attempted, status_for, stopped
 from autograder.kinds.order.answer import OrderAnswer
 from autograder.kinds.order.diagnosis import diagnose_order
 from autograder.kinds.order.question import Order
-from autograder.kinds.order.response import fits
+from autograder.kinds.order.response import chosen
 from autograder.language import _, n_
 
 
@@ -25,16 +24,17 @@ def is_right(order: Sequence[str], answer: OrderAnswer) -> bool:
     return any(fewest_moves(cards, after) == 0 for cards in exchanged)
 
 
-def mark_order(question: Order, answer: OrderAnswer, response: Any) -> Mark:
+def mark_order(question: Order, answer: OrderAnswer, response: object) -> Mark:
     """Credit ``max(0, 1 - 2*moves/n)``; the untouched start order is not attempted.
 
     ``response`` is a list of all card ids.
     """
-    if not fits(question, response):
+    cards = chosen(question, response)
+    if cards is None:
         return stopped(
             question, "unreadable", _("The stored response does not name every card once.")
         )
-    order = tuple(response)
+    order = tuple(cards)
     if order == question.start:
         return not_attempted(
             question, _("The cards are still in the order in which they were dealt.")

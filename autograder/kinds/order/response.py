@@ -2,22 +2,25 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from autograder.errors import UsageError
 from autograder.kinds.order.question import Order
 
 
+def chosen(question: Order, response: object) -> list[str] | None:
+    """The response, if it is a list that names every card exactly once; else None."""
+    if not isinstance(response, list | tuple):
+        return None
+    if not all(isinstance(card, str) for card in response):
+        return None
+    return list(response) if sorted(response) == sorted(question.start) else None
+
+
 def fits(question: Order, response: object) -> bool:
-    """Whether the response is a list that names every card exactly once."""
-    return (
-        isinstance(response, list | tuple)
-        and all(isinstance(card, str) for card in response)
-        and sorted(response) == sorted(question.start)
-    )
+    """Whether it is a response to this question."""
+    return chosen(question, response) is not None
 
 
-def read_response(question: Order, response: Any) -> list[str]:
+def read_response(question: Order, response: object) -> list[str]:
     """A response given in code, by the cards' ids or their numbers, as it is kept: by ids.
 
     Raises:
@@ -28,12 +31,13 @@ def read_response(question: Order, response: Any) -> list[str]:
         for n in response
     ):
         response = [question.start[n - 1] for n in response]
-    if not fits(question, response):
+    cards = chosen(question, response)
+    if cards is None:
         raise UsageError(
             f"{question.id} has {len(question.cards)} cards: respond with a list that names each "
             "card once, by the number or the id shown beside it. Nothing was changed."
         )
-    return list(response)
+    return cards
 
 
 def in_words(question: Order, response: list[str]) -> str:
@@ -49,6 +53,13 @@ def lines(question: Order, response: list[str] | None) -> list[str]:
     return [
         *cards,
         "",
-        f'Answer with `ask("{question.id}").respond([...])`: '
-        "the cards' numbers, in the order you want.",
+        "Answer with a line of code: put the cards' numbers in the order you want.",
+        "",
+        f"`{respond_line(question, response)}`",
     ]
+
+
+def respond_line(question: Order, response: list[str] | None) -> str:
+    """A line of code that gives this order, by the cards' numbers; as dealt, if there is none."""
+    numbers = [question.start.index(card) + 1 for card in response or question.start]
+    return f'ask("{question.id}").respond({numbers})'

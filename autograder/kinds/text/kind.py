@@ -64,9 +64,12 @@ class TextKind(ChoiceKind[Text, TextAnswer]):
 
     def lines(self, question: Text, response: object) -> list[str]:
         kept = [f"> {line}" for line in str(response).splitlines()] if response else []
-        return [*kept, "", f'Answer with `ask("{question.id}").respond("""...""")`.']
+        return [*kept, "", f"Answer with a line of code: `{self.respond_line(question, None)}`"]
 
-    def widget(self, desk: Any, question: Text, *checked: Any) -> Any:
+    def respond_line(self, question: Text, response: Any) -> str:
+        return f'ask("{question.id}").respond("""...""")'
+
+    def widget(self, desk: Any, question: Text, *checked: object) -> Any:
         from autograder.kinds.text.widget import TextWidget
 
         return TextWidget(desk, question)

@@ -47,7 +47,10 @@ class TrueFalseKind(ChoiceKind[TrueFalse, TrueFalseAnswer]):
     def lines(self, question: TrueFalse, response: Any) -> list[str]:
         return given.lines(question, response)
 
-    def widget(self, desk: Any, question: TrueFalse, *checked: Any) -> Any:
+    def respond_line(self, question: TrueFalse, response: Any) -> str:
+        return given.respond_line(question, response)
+
+    def widget(self, desk: Any, question: TrueFalse, *checked: object) -> Any:
         from autograder.kinds.true_false.widget import TrueFalseWidget
 
         return TrueFalseWidget(desk, question)

@@ -2,21 +2,20 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from autograder.kinds.mark import Mark, Part, not_attempted, status_for, stopped
 from autograder.kinds.true_false.answer import TrueFalseAnswer
 from autograder.kinds.true_false.question import TrueFalse
-from autograder.kinds.true_false.response import fits
+from autograder.kinds.true_false.response import chosen
 from autograder.language import _, n_
 
 
-def mark_true_false(question: TrueFalse, answer: TrueFalseAnswer, response: Any) -> Mark:
+def mark_true_false(question: TrueFalse, answer: TrueFalseAnswer, response: object) -> Mark:
     """One point for each statement called right; a statement left open earns nothing.
 
     ``response`` is a list of True, False or None (open), one for each statement.
     """
-    if not fits(question, response):
+    choices = chosen(question, response)
+    if choices is None:
         return stopped(
             question,
             "unreadable",
@@ -24,10 +23,10 @@ def mark_true_false(question: TrueFalse, answer: TrueFalseAnswer, response: Any)
                 count=len(question.statements)
             ),
         )
-    if all(said is None for said in response):
+    if all(said is None for said in choices):
         return not_attempted(question)
     parts = []
-    for number, (said, key) in enumerate(zip(response, answer.statements, strict=True), 1):
+    for number, (said, key) in enumerate(zip(choices, answer.statements, strict=True), 1):
         verdict, feedback = (
             (None, _("Not answered yet."))
             if said is None
@@ -56,5 +55,5 @@ def mark_true_false(question: TrueFalse, answer: TrueFalseAnswer, response: Any)
         alternative="right" if credit == 1 else None,
         parts=tuple(parts),
         explanation=answer.explanation,
-        understood=", ".join({True: "true", False: "false", None: "–"}[said] for said in response),
+        understood=", ".join({True: "true", False: "false", None: "–"}[said] for said in choices),
     )

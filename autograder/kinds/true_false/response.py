@@ -2,34 +2,38 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from autograder.errors import UsageError
 from autograder.kinds.true_false.question import TrueFalse
 
 
+def chosen(question: TrueFalse, response: object) -> list[bool | None] | None:
+    """The response, if it is a list of True, False or None, one for each statement; else None."""
+    if not isinstance(response, list | tuple) or len(response) != len(question.statements):
+        return None
+    if not all(choice is None or isinstance(choice, bool) for choice in response):
+        return None
+    return list(response)
+
+
 def fits(question: TrueFalse, response: object) -> bool:
-    """Whether the response is a list of True, False or None, one for each statement."""
-    return (
-        isinstance(response, list | tuple)
-        and len(response) == len(question.statements)
-        and all(said is None or isinstance(said, bool) for said in response)
-    )
+    """Whether it is a response to this question."""
+    return chosen(question, response) is not None
 
 
-def read_response(question: TrueFalse, response: Any) -> list[bool | None]:
+def read_response(question: TrueFalse, response: object) -> list[bool | None]:
     """A response given in code, as it is kept.
 
     Raises:
         UsageError: if it does not fit the question.
     """
-    if not fits(question, response):
+    choices = chosen(question, response)
+    if choices is None:
         count = len(question.statements)
         raise UsageError(
             f"{question.id} has {count} statements: respond with a list of {count} True or "
             "False (None leaves one open). Nothing was changed."
         )
-    return list(response)
+    return choices
 
 
 def in_words(response: list[bool | None]) -> str:
@@ -50,5 +54,12 @@ def lines(question: TrueFalse, response: list[bool | None] | None) -> list[str]:
             )
         ),
         "",
-        f'Answer with `ask("{question.id}").respond([True, False, ...])`.',
+        "Answer with a line of code: put `True` or `False` for each `None` that you have decided.",
+        "",
+        f"`{respond_line(question, response)}`",
     ]
+
+
+def respond_line(question: TrueFalse, response: list[bool | None] | None) -> str:
+    """A line of code that gives this response, open where nothing was said."""
+    return f'ask("{question.id}").respond({list(response or [None] * len(question.statements))})'

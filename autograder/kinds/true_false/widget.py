@@ -21,11 +21,11 @@ class TrueFalseWidget(ChoiceWidget):
     _css = source("common.css", HERE / "widget.css")
     question: TrueFalse
 
-    def what_is_fixed(self) -> dict[str, Any]:
+    def what_is_fixed(self) -> dict[str, object]:
         statements = [inline(statement) for statement in self.question.statements]
         return {**super().what_is_fixed(), "statements": statements}
 
-    def do_choose(self, message: dict[str, Any]) -> dict[str, Any]:
+    def do_choose(self, message: dict[str, object]) -> dict[str, Any]:
         """Keep the choice for one statement; the others stay as they are kept, by whomever."""
         at, said = message["statement"], message["said"]
         count = len(self.question.statements)

@@ -5,8 +5,6 @@ https://gradescope-autograders.readthedocs.io/en/latest/specs/
 
 from __future__ import annotations
 
-from typing import Any
-
 from autograder.course import Course
 from autograder.course.questions import Question
 from autograder.gradebook.record import Record
@@ -16,7 +14,7 @@ from autograder.reports.machine import most_points
 from autograder.reports.terminal import printable
 
 
-def results(course: Course, record: Record, explanations: bool = False) -> dict[str, Any]:
+def results(course: Course, record: Record, explanations: bool = False) -> dict[str, object]:
     """The results of one submission, a test for each question.
 
     All text is plain: what students wrote is shown as it is. The score stands at the top too,

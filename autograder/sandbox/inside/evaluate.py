@@ -18,15 +18,15 @@ from __future__ import annotations
 import importlib
 import pkgutil
 from contextlib import suppress
-from typing import Any
 
 import autograder.kinds
+from autograder.exchange.messages import Message
 from autograder.sandbox.inside.plain_data import Unusable, describe, public_name
 
 __all__ = ["describe", "evaluate", "load_kinds"]
 
 
-def evaluate(response: Any, probe: dict[str, Any]) -> dict[str, Any]:
+def evaluate(response: object, probe: Message) -> Message:
     """Turn a response into plain data, as the probe's kind asks."""
     if response is ...:
         return {"state": "not attempted"}

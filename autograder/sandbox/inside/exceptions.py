@@ -8,14 +8,15 @@ from __future__ import annotations
 
 import ast
 import traceback
-from typing import Any
+
+from autograder.exchange.messages import Message
 
 MOST_MESSAGE = 300
 _CELLS = ("<ipython-input", "ipykernel")
 _TOP = ("<module>", "<cell line")  # IPython 7 calls a cell's own code by its first line
 
 
-def tell(error: BaseException) -> dict[str, Any]:
+def tell(error: BaseException) -> Message:
     """The message, and the last line of a cell on the way to the error with its number."""
     told: dict[str, object] = {"kind": type(error).__name__, "message": _message(error)}
     if isinstance(error, ModuleNotFoundError) and isinstance(error.name, str):

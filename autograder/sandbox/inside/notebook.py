@@ -22,6 +22,7 @@ from typing import Any
 
 import numpy as np
 
+from autograder.exchange.messages import Message
 from autograder.sandbox.inside.evaluate import describe, evaluate
 from autograder.sandbox.inside.exceptions import after_import, tell
 from autograder.sandbox.inside.plain_data import is_plain
@@ -64,7 +65,7 @@ class Notebook:
         cell_seconds: float = math.inf,
         seconds: float = math.inf,
         begin: Callable[[int], None] = lambda index: None,
-    ) -> dict[str, Any]:
+    ) -> dict[str, object]:
         """Run the cells one after the other, like "run all" that does not stop at an error.
 
         ``skip`` gives the error to report for cells (by index, as text) that are not to be run;
@@ -73,7 +74,7 @@ class Notebook:
         """
         end = _own_clock() + seconds
         errors: list[str | None] = []
-        told: list[dict[str, Any] | None] = []
+        told: list[Message | None] = []
         for index, cell in enumerate(cells):
             reason = (skip or {}).get(str(index))
             said = None
@@ -96,7 +97,7 @@ class Notebook:
             },
         }
 
-    def evaluate(self, name: str, probe: dict[str, Any]) -> dict[str, Any]:
+    def evaluate(self, name: str, probe: Message) -> Message:
         """Turn the response held by a name into plain data, as `evaluate` says."""
         # Python seeds `random` anew in each fork; the same response must earn the same mark again.
         setstate(self._chance)
@@ -125,7 +126,7 @@ class Notebook:
         for name in set(self._shell.user_ns) - self._names_at_start:
             del self._shell.user_ns[name]
 
-    def _run_cell(self, cell: str, seconds: float) -> tuple[str | None, dict[str, Any] | None]:
+    def _run_cell(self, cell: str, seconds: float) -> tuple[str | None, Message | None]:
         """Run one cell; the class of its error and what to tell of it, or None.
 
         A module that is missing here may be there where the cell was written: what comes after its
@@ -199,7 +200,7 @@ class _Interrupted:
 def _own_clock() -> float:
     """A clock that stands still while this thread waits for a processor, where Linux tells."""
     try:
-        waited = int(Path("/proc/thread-self/schedstat").read_text().split()[1])
+        waited = int(Path("/proc/thread-self/schedstat").read_text(encoding="utf-8").split()[1])
     except (OSError, IndexError, ValueError):
         waited = 0
     return time.monotonic() - waited / 1e9
@@ -230,7 +231,7 @@ def _close_figures() -> None:
             helpers.Gcf.destroy_all()
 
 
-def _recorded_responses() -> dict[str, Any]:
+def _recorded_responses() -> Message:
     """What ``ask(...).respond(...)`` in the cells wrote."""
     responses: dict[str, object] = {}
     for path in sorted(Path(os.environ["AUTOGRADER_RESPONSES"]).glob("*.json"))[:100]:

@@ -23,10 +23,11 @@ import signal
 import socket
 import sys
 from contextlib import suppress
-from typing import Any, NoReturn
+from typing import NoReturn
 
 from autograder.exchange import wire
 from autograder.exchange.channel import Channel
+from autograder.exchange.messages import Message
 from autograder.sandbox.inside.notebook import CellTimeout, Notebook
 
 PATIENCE = 20  # times a limit: how long to wait on a machine that has other things to do
@@ -65,7 +66,7 @@ def seed_everything(seed: int) -> None:
         np.random.bit_generator.randbits = repeatable.getrandbits  # type: ignore[attr-defined]
 
 
-def _run(channel: Channel, notebook: Notebook, message: dict[str, Any]) -> None:
+def _run(channel: Channel, notebook: Notebook, message: Message) -> None:
     nonce = message["nonce"]
     reply = notebook.run(
         message["cells"],
@@ -78,7 +79,7 @@ def _run(channel: Channel, notebook: Notebook, message: dict[str, Any]) -> None:
     _answer(channel, nonce, reply)
 
 
-def _evaluate(channel: Channel, notebook: Notebook, message: dict[str, Any]) -> None:
+def _evaluate(channel: Channel, notebook: Notebook, message: Message) -> None:
     nonce = message["nonce"]
     if notebook.holds_plain_value(message["name"]):
         # No code of the student runs, so that a fork, which costs more than all the rest, is not

@@ -34,8 +34,9 @@ import traceback
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import NoReturn
 
+from autograder.exchange.messages import Message
 from autograder.sandbox import landlock, lockdown, seccomp
 from autograder.sandbox.inside.serve import prepare_process, serve
 from autograder.sandbox.inside.warm import warm
@@ -98,7 +99,7 @@ class Zygote:
         if not how.alone:
             lockdown.adopt_orphans()
         with suppress(OSError):  # under memory pressure the kernel takes these first
-            Path("/proc/self/oom_score_adj").write_text("1000")
+            Path("/proc/self/oom_score_adj").write_text("1000", encoding="utf-8")
         self._work = Path(how.scratch) / "work"
         self._sweep()
         _bring_font_list(self._work)
@@ -169,7 +170,7 @@ class Zygote:
             self._say({"ended": message["end"], "had": self._own_time.since(0.0)})
         return True
 
-    def _start(self, message: dict[str, Any], descriptor: int) -> None:
+    def _start(self, message: Message, descriptor: int) -> None:
         """Fork a child and wait until it is confined.
 
         Raises:

@@ -55,7 +55,7 @@ class CourseWidget(anywidget.AnyWidget):
         """What the browser shows as answered, read anew from the truth."""
         raise NotImplementedError
 
-    def receipt(self) -> dict[str, Any] | None:
+    def receipt(self) -> dict[str, object] | None:
         """The output that stays readable in the saved notebook."""
         return None
 

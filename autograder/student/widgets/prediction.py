@@ -6,6 +6,7 @@ from typing import Any
 
 from autograder.course.predictions import Prediction
 from autograder.errors import UsageError
+from autograder.exchange.messages import Message
 from autograder.kinds.typed import parse, value_of
 from autograder.reports.markdown import inline, markdown
 from autograder.student.desk import Desk
@@ -37,7 +38,7 @@ class PredictionWidget(CourseWidget):
         value = self.desk.prediction(self.prediction)
         return {"said": "" if value is None else inline(self.prediction.in_words(value))}
 
-    def receipt(self) -> dict[str, Any] | None:
+    def receipt(self) -> dict[str, object] | None:
         value = self.desk.prediction(self.prediction)
         said = "nothing yet." if value is None else self.prediction.in_words(value)
         words = f"Predicted for {self.prediction.id}: {said}"
@@ -49,12 +50,12 @@ class PredictionWidget(CourseWidget):
             bundle[RECEIPT] = receipt(self.prediction.id, value)
         return bundle
 
-    def do_choose(self, message: dict[str, Any]) -> dict[str, Any]:
+    def do_choose(self, message: Message) -> dict[str, object]:
         """Keep a choice, by its number from 0."""
         self.desk.predict(self.prediction, self.prediction.choices[int(message["choice"])])
         return {}
 
-    def do_type(self, message: dict[str, object]) -> dict[str, object]:
+    def do_type(self, message: Message) -> dict[str, object]:
         """Keep a number that was typed."""
         self.desk.predict(self.prediction, _number(str(message["text"])))
         return {}

@@ -6,13 +6,16 @@ from typing import Any
 
 from autograder.course.questions import Question
 from autograder.errors import AutograderError
+from autograder.exchange.responses import Entry
 from autograder.kinds.mark import Mark
+from autograder.kinds.registry import kind_of
 from autograder.kinds.status import Status
 from autograder.language import _, n_
 from autograder.reports.markdown import inline, markdown
 from autograder.student.desk import Desk, hints_open
+from autograder.student.frontend import in_vscode
 from autograder.student.receipts import RECEIPT, receipt
-from autograder.student.responses import Entry, attempts
+from autograder.student.responses import attempts
 from autograder.student.views import points_of
 from autograder.student.widgets.base import CourseWidget, escaped
 
@@ -85,11 +88,15 @@ class QuestionWidget(CourseWidget):
         self.desk.open_hint(self.question)
         return {}
 
-    def receipt(self) -> dict[str, Any] | None:
+    def receipt(self) -> dict[str, object] | None:
         response = self.desk.entry(self.question).get("response")
         words = _("Kept for {question}: {response}").format(
             question=self.question.id, response=self.words(response)
         )
+        if in_vscode():  # where the widget may be an error: this line is there nevertheless
+            line = kind_of(self.question).respond_line(self.question, response)
+            said = _("If there is nothing to click, answer in a cell: {line}")
+            words += f" {said.format(line=line)}"
         bundle: dict[str, object] = {
             "text/plain": words,
             # Hidden while the widget itself is drawn.

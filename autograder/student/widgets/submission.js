@@ -16,18 +16,13 @@ function render({ model, el }) {
     const questions = state.chapters.flatMap((chapter) => chapter.questions);
     const open = questions.filter((question) => !question.answered).length;
     const warnings = [];
-    if (state.unsaved) {
-      warnings.push(
-        `${state.unsaved} holds changes that are not saved, so the file lacks them. ` +
-          "Save the notebook (Ctrl+S) and pack again.",
-      );
-    }
+    if (state.warning) warnings.push(state.warning.replaceAll("`", ""));
     if (state.stale) warnings.push("Something has changed since. Pack again to hand that in too.");
     place.replaceChildren(
       make(
         "p",
         {},
-        "Hand in ",
+        state.warning ? "Not ready to hand in: " : "Hand in ",
         make("strong", {}, state.file),
         ` (packed at ${state.packed_at}): `,
         make("code", { class: "ag-path" }, state.path),
@@ -39,6 +34,7 @@ function render({ model, el }) {
         ...state.names.flatMap((name, at) => [at ? ", " : null, make("code", {}, name)]),
         ". Each notebook is packed as it was last saved: save the others too.",
       ),
+      state.advice ? make("p", {}, state.advice) : "",
       ...warnings.map((text) => make("p", { class: "ag-refusal", role: "alert" }, text)),
       make(
         "p",

@@ -35,7 +35,8 @@ class SubmissionWidget(CourseWidget):
             "file": packed.packed.path.name,
             "packed_at": self._packed_at,
             "names": list(packed.packed.names),
-            "unsaved": packed.unsaved or "",
+            "warning": packed.warning,
+            "advice": packed.advice,
             "chapters": [
                 {
                     "title": chapter.title,

@@ -5,13 +5,13 @@ from __future__ import annotations
 from typing import Any
 
 from autograder.course.questions import Question
+from autograder.exchange.responses import Entry
 from autograder.kinds.mark import Mark
 from autograder.kinds.registry import kind_of
 from autograder.reports.markdown import formula, inline
 from autograder.sandbox.inside.evaluate import describe
 from autograder.student.desk import Desk
 from autograder.student.frontend import running_shell
-from autograder.student.responses import Entry
 from autograder.student.widgets.base import source
 from autograder.student.widgets.question import QuestionWidget
 

@@ -8,13 +8,14 @@ from typing import Any
 
 import numpy as np
 
+from autograder.exchange.messages import Message
 from autograder.kinds.expression.inside.values import values_at
 from autograder.sandbox.inside.plain_data import Unusable, is_sympy, only_entry
 
 MOST_ROOTS = 8
 
 
-def evaluate(response: Any, probe: dict[str, Any]) -> dict[str, Any]:
+def evaluate(response: object, probe: Message) -> Message:
     """The values of a response at the probe's points, each an array of them.
 
     A list of several roots, as ``sympy.solve`` gives them, has one row of values for each.
@@ -92,7 +93,7 @@ def _values(response: Any, points: dict[str, np.ndarray]) -> np.ndarray:
     return values
 
 
-def _evalf(expression: Any, symbols: list[Any], values: list[float]) -> complex:
+def _evalf(expression: Any, symbols: list[object], values: list[float]) -> complex:
     """The slow way, for what NumPy has no function for."""
     number = expression.evalf(subs=dict(zip(symbols, values, strict=True)))
     try:

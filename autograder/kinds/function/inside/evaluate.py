@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from autograder.exchange.messages import Message
 from autograder.kinds.function.inside.counted_draws import CountedDraws
 from autograder.sandbox.inside.exceptions import tell
 from autograder.sandbox.inside.plain_data import Unusable, public_name, to_plain
@@ -14,7 +15,7 @@ from autograder.sandbox.inside.plain_data import Unusable, public_name, to_plain
 _LAZY = (GeneratorType, map, filter, zip, range, enumerate)  # nothing has been computed yet
 
 
-def evaluate(response: Any, probe: dict[str, Any]) -> dict[str, Any]:
+def evaluate(response: object, probe: Message) -> Message:
     """One outcome a case: {"value": ..}, {"unusable": reason} or {"raised": class}.
 
     With a value comes "changed": true if an argument was changed in place, and "drawn", how many
@@ -25,7 +26,7 @@ def evaluate(response: Any, probe: dict[str, Any]) -> dict[str, Any]:
     """
     if not callable(response):
         raise Unusable("not a function")
-    outcomes: list[dict[str, Any]] = []
+    outcomes: list[Message] = []
     told = None
     for case in probe["cases"]:
         arguments = [_argument(argument) for argument in case["args"]]

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Any
-
+from autograder.exchange.messages import Message
 from autograder.sandbox.inside.plain_data import only_entry, plain_number
 
 
-def evaluate(response: object, probe: dict[str, object]) -> dict[str, Any]:
+def evaluate(response: object, probe: dict[str, object]) -> Message:
     """The number that a response holds.
 
     Raises:

@@ -1,0 +1,48 @@
+"""What a sandbox replies, once `autograder.exchange.replies` has checked it: known fields only."""
+
+from __future__ import annotations
+
+from typing import Any, NotRequired, TypedDict
+
+Message = dict[str, Any]  # on its way: JSON and arrays, of which nothing is known before the check
+
+
+class Told(TypedDict):
+    """What was told of an exception: its class, message, and maybe the line that raised it."""
+
+    kind: str
+    message: str
+    module: str
+    line: int  # 0 if it is not known
+    source: str
+
+
+class Report(TypedDict):
+    """A run: the error (a class name or None) and what was told of it, one each a cell."""
+
+    errors: list[str | None]
+    told: list[Told | None]
+    responses: dict[str, object]
+    understood: dict[str, str]
+
+
+class Outcome(TypedDict, total=False):
+    """What one call gave: ``value``, ``raised`` (a class name) or ``unusable`` (a reason)."""
+
+    value: object
+    raised: str
+    unusable: str
+    changed: bool  # an argument, in place
+    drawn: int  # numbers taken from a generator
+
+
+class Evaluation(TypedDict):
+    """The reply to a probe; ``state`` says which of the other fields there are."""
+
+    state: str  # not attempted, raised, unusable or given
+    error: NotRequired[str]
+    reason: NotRequired[str]
+    outcomes: NotRequired[list[Outcome]]
+    told: NotRequired[Told]
+    values: NotRequired[Any]  # an array of any shape and type
+    value: NotRequired[int | float | complex]
