@@ -9,7 +9,6 @@ from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
-from typing import Any
 
 from autograder.course.answers import Answer, answer_from_table
 from autograder.course.predictions import Prediction
@@ -408,7 +407,7 @@ def _reject_duplicates(chapters: list[Chapter]) -> None:
             stored[question.name] = question.id
 
 
-def _chapter_position(root: Path) -> Any:
+def _chapter_position(root: Path) -> Callable[[Path], str]:
     """Sort key: the number in the master's file name, so chapters stand as in the notebooks."""
     numbers = {
         path.stem.partition("_")[2]: path.stem

@@ -125,7 +125,7 @@ class Desk:
         value: Guess | None = entry.get("response")
         return value if prediction.fits(value) else None
 
-    def predict(self, prediction: Prediction, value: Any) -> Guess:
+    def predict(self, prediction: Prediction, value: object) -> Guess:
         """Keep a prediction, and return the one that stands: the first.
 
         Raises:

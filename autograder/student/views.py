@@ -197,7 +197,8 @@ def _some(count: str, all: str) -> str:
 class SubmissionView(_View):
     """What was packed, what is unanswered, and above all what the file may lack.
 
-    ``warning`` says what is not saved, ``advice`` what else to do with the file.
+    ``warning`` says what is not saved, ``advice`` what else to do with the file or what was done;
+    ``taken`` is true if a drop folder has it already.
     """
 
     def __init__(
@@ -207,12 +208,14 @@ class SubmissionView(_View):
         count: int,
         warning: str = "",
         advice: str = "",
+        taken: bool = False,
     ) -> None:
         self.packed = packed
         self.unanswered = unanswered
         self.count = count
         self.warning = warning
         self.advice = advice
+        self.taken = taken
 
     def lines(self) -> list[str]:
         notebooks = [name for name in self.packed.names if name.endswith(".ipynb")]
@@ -224,7 +227,8 @@ class SubmissionView(_View):
         if self.warning:
             lines = [f"**{_('Not ready to hand in:')}** {self.warning}", "", held, ""]
         else:
-            lines = [f"{held} {_('Hand in this file.')}", ""]
+            hand_in = "" if self.taken else f" {_('Hand in this file.')}"
+            lines = [held + hand_in, ""]
         if self.advice:
             lines += [self.advice, ""]
         if not self.unanswered:

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import zlib
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from autograder.exchange.messages import Message
 from autograder.kinds.drawn import NOTHING_AROUND, Around
 from autograder.kinds.expression.answer import ExpressionAlternative, ExpressionAnswer
 from autograder.kinds.expression.question import Expression
@@ -55,7 +55,7 @@ def mark_expression(
         marks = [mark_expression(question, answer, points, row, around) for row in values]
         return min(marks, key=lambda mark: mark.credit)
     count = len(next(iter(points.values())))
-    known: dict[str, Any] = {"explanation": answer.explanation}
+    known: Message = {"explanation": answer.explanation}
     if not (
         isinstance(values, np.ndarray) and values.shape == (count,) and values.dtype.kind in "fc"
     ):
@@ -124,7 +124,7 @@ def matches(
     return same_values(expected, values, period)
 
 
-def same_values(expected: NDArray[Any], values: NDArray[Any], period: float | None) -> bool:
+def same_values(expected: np.ndarray, values: np.ndarray, period: float | None) -> bool:
     """Whether values are the expected ones where those are defined, up to multiples of a period."""
     defined = np.isfinite(expected)
     if defined.sum() < len(expected) // 4:
@@ -137,7 +137,7 @@ def same_values(expected: NDArray[Any], values: NDArray[Any], period: float | No
     return bool(np.all(np.isfinite(turns))) and _same(expected, values - turns * period)
 
 
-def _same(expected: NDArray[Any], actual: NDArray[Any]) -> bool:
+def _same(expected: np.ndarray, actual: np.ndarray) -> bool:
     with np.errstate(all="ignore"):
         scale = np.maximum(np.abs(expected), 1e-3)
         return bool(np.all(np.abs(actual - expected) <= TOLERANCE * scale))

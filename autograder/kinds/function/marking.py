@@ -11,6 +11,7 @@ from typing import Protocol
 
 import numpy as np
 
+from autograder.exchange.messages import Value
 from autograder.exchange.reasons import REASONS
 from autograder.kinds.function.answer import FunctionAlternative, FunctionAnswer
 from autograder.kinds.function.credit import partial_credit
@@ -18,7 +19,6 @@ from autograder.kinds.function.diagnosis import diagnose_function
 from autograder.kinds.function.hints import hint
 from autograder.kinds.function.question import Function
 from autograder.kinds.function.shown import shown_outcome
-from autograder.kinds.function.values import Value
 from autograder.kinds.mark import NO_VALUE, Mark, Part, status_for
 from autograder.language import _
 from autograder.marking.diagnosis.relations import Diagnosis

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from decimal import Decimal
-from typing import Any
 
+from autograder.exchange.messages import Message
 from autograder.kinds.drawn import NOTHING_AROUND, Around
 from autograder.kinds.mark import Mark, status_for
 from autograder.kinds.number.answer import NumberAlternative, NumberAnswer
@@ -26,7 +26,7 @@ def mark_number(
     that is what the student is shown: the value itself may by now be a hidden input, kept by one
     function and given back by another object, unless it is a value that the key knows.
     """
-    known: dict[str, Any] = {
+    known: Message = {
         "explanation": answer.explanation,
         "understood": _as_number(understood, question),
     }

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Callable
 
 from autograder.course.questions import Question
 from autograder.errors import AutograderError
@@ -110,7 +110,7 @@ class QuestionWidget(CourseWidget):
         """The response for people to read."""
         return _("nothing yet.") if response is None else str(response)
 
-    def remark(self, mark: Any) -> None:
+    def remark(self, mark: Callable[[], Mark]) -> None:
         """Run ``mark`` and show its result; a broken key is no reason not to show the question."""
         try:
             self.show_mark(mark())
