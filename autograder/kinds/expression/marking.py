@@ -15,6 +15,7 @@ from autograder.kinds.expression.equal_values import Points, nearly_equal, same_
 from autograder.kinds.expression.question import Expression
 from autograder.kinds.formula import evaluate_formula
 from autograder.kinds.mark import Mark, status_for
+from autograder.language import _
 
 POINT_COUNT = 24
 
@@ -59,7 +60,7 @@ def mark_expression(
         isinstance(values, np.ndarray) and values.shape == (count,) and values.dtype.kind in "fc"
     ):
         return Mark(
-            question.id, "wrong", 0.0, question.points, "It has no numeric values.", **known
+            question.id, "wrong", 0.0, question.points, _("It has no numeric values."), **known
         )
     if answer.free_of and not nearly_equal(values[: count // 2], values[count // 2 :]):
         return Mark(
@@ -67,7 +68,8 @@ def mark_expression(
             "wrong",
             0.0,
             question.points,
-            answer.free_of_feedback or f"It still depends on {', '.join(answer.free_of)}.",
+            answer.free_of_feedback
+            or _("It still depends on {symbols}.").format(symbols=", ".join(answer.free_of)),
             alternative=f"depends on {', '.join(answer.free_of)}",
             **known,
         )
@@ -78,7 +80,7 @@ def mark_expression(
                 status_for(alternative.credit),
                 alternative.credit,
                 question.points,
-                alternative.feedback or "Right.",
+                alternative.feedback or _("Right."),
                 alternative=alternative.name,
                 **known,
             )
@@ -99,8 +101,10 @@ def mark_expression(
         "wrong",
         0.0,
         question.points,
-        "It differs from the right expression, and from the mistakes known here. Put a simple data "
-        "set into both sides and see where they part.",
+        _(
+            "It differs from the right expression, and from the mistakes known here. Put a simple "
+            "data set into both sides and see where they part."
+        ),
         evidence=f"values {zlib.crc32(','.join(f'{v:.6g}' for v in values).encode()):08x}",
         **known,
     )
