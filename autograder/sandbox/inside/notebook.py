@@ -215,7 +215,7 @@ def _described(response: object) -> str:
         return f"a {type(response).__name__}"
 
 
-def _save_nothing(figure: Any, target: Any, *arguments: Any, **options: Any) -> None:
+def _save_nothing(figure: object, target: Any, *arguments: object, **options: object) -> None:
     """Stand in for ``Figure.savefig``: a picture of one pixel."""
     if hasattr(target, "write"):
         target.write(_PIXEL)
