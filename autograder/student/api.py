@@ -250,7 +250,7 @@ def _practise() -> object:
     return _shown(PracticeView(summary(practice.placed())), widget)
 
 
-def _progress() -> Shown:
+def _progress() -> object:
     desk = _desk()
 
     def widget() -> Shown:
