@@ -200,7 +200,7 @@ def large_class_text(folder: Path, students: int) -> str:
 
 def _resident(process: int) -> int:
     try:
-        return int(Path(f"/proc/{process}/statm").read_text().split()[1]) * 4096
+        return int(Path(f"/proc/{process}/statm").read_text(encoding="utf-8").split()[1]) * 4096
     except OSError:
         return 0
 

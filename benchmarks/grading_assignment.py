@@ -74,6 +74,8 @@ _CASES = dedent("""
             yield rng.normal(size=(40, 2)) * [3, 0.2] + rng.uniform(-5, 5, 2)
 """).strip()
 
+Cell = dict[str, Any]  # of a notebook, as nbformat writes it
+
 
 def notebook(cells: list[dict[str, object]]) -> str:
     """The text of a notebook with these cells."""
@@ -81,7 +83,7 @@ def notebook(cells: list[dict[str, object]]) -> str:
     return json.dumps({"cells": cells, "metadata": kernel, "nbformat": 4, "nbformat_minor": 5})
 
 
-def cell(number: int, source: str, **metadata: object) -> dict[str, Any]:
+def cell(number: int, source: str, **metadata: object) -> Cell:
     """A code cell."""
     return {
         "cell_type": "code",
@@ -164,9 +166,7 @@ def write_course(root: Path, students: int) -> None:
 def write_nbgrader(root: Path, students: int) -> None:
     """Lay out a course for nbgrader: its source, and submissions in ``submitted``."""
 
-    def marked(
-        number: int, source: str, name: str, *, solution: bool, points: int
-    ) -> dict[str, Any]:
+    def marked(number: int, source: str, name: str, *, solution: bool, points: int) -> Cell:
         fields = {
             "grade": points > 0,
             "grade_id": name,
@@ -179,7 +179,7 @@ def write_nbgrader(root: Path, students: int) -> None:
             fields["points"] = points
         return cell(number, source, nbgrader=fields)
 
-    def cells(solved: bool) -> list[dict[str, Any]]:
+    def cells(solved: bool) -> list[Cell]:
         written = [cell(0, PRELUDE)]
         for number, question in enumerate(QUESTIONS, 1):
             code = question.code

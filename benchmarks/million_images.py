@@ -65,7 +65,7 @@ def peak_memory() -> int | None:
     Python is loaded.
     """
     try:
-        status = Path("/proc/self/status").read_text().splitlines()
+        status = Path("/proc/self/status").read_text(encoding="utf-8").splitlines()
     except OSError:
         return None
     peaks = [line.split()[1] for line in status if line.startswith("VmHWM:")]

@@ -1,6 +1,7 @@
 """Visual words and image retrieval against scikit-learn, faiss, SciPy and a naive tree."""
 
 from collections.abc import Callable
+from types import ModuleType
 from typing import Any
 
 import numpy as np
@@ -152,7 +153,7 @@ def _queries(photographs: dict[str, np.ndarray], trainers: dict[str, Trainer]) -
     database = ImageDatabase(tree)
     for name, descriptors in photographs.items():
         database.add(name, descriptors)
-    contenders: dict[str, Callable[[], Any]] = {OURS: _call(database.query, query, 25)}
+    contenders: dict[str, Callable[[], object]] = {OURS: _call(database.query, query, 25)}
     for name, train in trainers.items():
         if name in (SKLEARN, FAISS, LOOP):
             words = train(everything, 0)
@@ -260,8 +261,8 @@ def _growth(missing: list[str]) -> tuple[list[Row], list[Curve]]:
 
 
 def _sparse_database(
-    sparse: Any, images: list[np.ndarray], query: np.ndarray
-) -> Callable[..., Any]:
+    sparse: ModuleType, images: list[np.ndarray], query: np.ndarray
+) -> Callable[..., object]:
     """Return a call that multiplies the query with all images, as sparse tf-idf vectors."""
     ends = np.cumsum([0, *map(len, images)])
     shape = (len(images), million_images.WORD_COUNT)
@@ -312,7 +313,7 @@ def _tree_trainer(depth: int) -> Trainer:
     )
 
 
-def _flat_words(faiss: Any, words: np.ndarray) -> Words:
+def _flat_words(faiss: ModuleType, words: np.ndarray) -> Words:
     index = faiss.IndexFlatL2(words.shape[1])
     index.add(np.ascontiguousarray(words, np.float32))
     return lambda descriptors: index.search(descriptors, 1)[1][:, 0]
@@ -325,7 +326,7 @@ def _faiss(missing: list[str]) -> Any:
     return faiss
 
 
-def _call(function: Callable[..., Any], *arguments: Any) -> Callable[[], object]:
+def _call(function: Callable[..., object], *arguments: object) -> Callable[[], object]:
     return lambda: function(*arguments)
 
 

@@ -28,6 +28,7 @@ BLANK = ROOT.parent / "notebooks"
 SOLVED = ROOT / "notebooks"
 _RESPOND = re.compile(r'^ask\("(?P<id>[^"]+)"\)\.respond\((?P<response>.*)\)$', re.DOTALL)
 
+Cell = dict[str, Any]  # as nbformat reads it, like a whole notebook
 Notebook = dict[str, Any]
 
 
@@ -40,7 +41,7 @@ class Work:
             path.name: _without_outputs(json.loads(path.read_text(encoding="utf-8")))
             for path in sorted(folder.glob("[1-9]_*.ipynb"))
         }
-        self.responses: dict[str, dict[str, Any]] = {}
+        self.responses: dict[str, dict[str, Cell]] = {}
         if not blank:
             for name, notebook in self.notebooks.items():
                 self._click(name, notebook)
@@ -71,9 +72,9 @@ class Work:
         untouched = json.loads((BLANK / name).read_text(encoding="utf-8"))["cells"]
         cell["source"] = next(other["source"] for other in untouched if other["id"] == cell["id"])
 
-    def cells(self, name: str) -> list[dict[str, Any]]:
+    def cells(self, name: str) -> list[Cell]:
         """The cells of one notebook, to be rearranged."""
-        cells: list[dict[str, Any]] = self.notebooks[name]["cells"]
+        cells: list[Cell] = self.notebooks[name]["cells"]
         return cells
 
     @property
@@ -100,7 +101,7 @@ class Work:
         }
         return notebooks | responses
 
-    def _place(self, id: str) -> tuple[str, dict[str, Any]]:
+    def _place(self, id: str) -> tuple[str, Cell]:
         for name, notebook in self.notebooks.items():
             for cell in notebook["cells"]:
                 if cell["id"].endswith("-response") and _question(cell["id"]) == id:

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
-from typing import Any
 
 import numpy as np
 
+from solutions.cases.case import Case, Value
 
-def fitted_line(case: dict[str, Any], expected: Any, actual: Any) -> dict[str, object] | None:
+
+def fitted_line(case: Case, expected: Value, actual: Value) -> dict[str, object] | None:
     """Describe the points of a case, the line that fits best and the line that was returned.
 
     Returns None if `actual` is no line, a pair of finite numbers (r, alpha).
@@ -36,7 +37,7 @@ def fitted_line(case: dict[str, Any], expected: Any, actual: Any) -> dict[str, o
     }
 
 
-def consensus(case: dict[str, object], expected: Any, actual: Any) -> dict[str, Any] | None:
+def consensus(case: Case, expected: Value, actual: Value) -> Case | None:
     """Describe the line that RANSAC found, from the pairs (line, inliers)."""
     return fitted_line(case, expected[0], actual[0])
 

@@ -117,10 +117,10 @@ def serve(root: Path, pipe: Connection) -> None:
     import resource
     import sys
 
-    with suppress(OSError), open(os.devnull, "w") as nowhere:
+    with suppress(OSError), open(os.devnull, "w", encoding="utf-8") as nowhere:
         sys.stdout = nowhere  # a mutant may print
         bench = Bench(root)
-        size = int(Path("/proc/self/statm").read_text().split()[0]) * resource.getpagesize()
+        size = int(Path("/proc/self/statm").read_bytes().split()[0]) * resource.getpagesize()
         limit = size + 2 * 2**30
         resource.setrlimit(resource.RLIMIT_AS, (limit, limit))
         while True:

@@ -127,7 +127,7 @@ def write(built: list[Built]) -> list[Path]:
     changed = [entry for entry in built if _on_disk(entry.path) != entry.text]
     for entry in changed:
         entry.path.parent.mkdir(parents=True, exist_ok=True)
-        entry.path.write_text(entry.text, encoding="utf-8")
+        entry.path.write_text(entry.text, encoding="utf-8", newline="\n")
     return [entry.path for entry in changed]
 
 

@@ -53,7 +53,7 @@ class Executed:
         """Note that a notebook has been run, and what came of it."""
         self._known[stem] = self._entry(notebook, chapter, text)
         self._path.parent.mkdir(exist_ok=True)
-        self._path.write_text(json.dumps(self._known, indent=1), encoding="utf-8")
+        self._path.write_text(json.dumps(self._known, indent=1), encoding="utf-8", newline="\n")
 
     def _entry(self, notebook: Any, chapter: Chapter | None, text: str) -> dict[str, str]:
         code = [cell.source for cell in notebook.cells if cell.cell_type == "code"]

@@ -85,4 +85,4 @@ def keep_findings(course: Course, id: str, digest: str, findings: Findings) -> N
     with suppress(OSError):  # a course that cannot be written to is proven again each time
         folder.mkdir(exist_ok=True)
         text = json.dumps({"digest": digest, **asdict(findings)})
-        (folder / f"{id}.json").write_text(text, encoding="utf-8")
+        (folder / f"{id}.json").write_text(text, encoding="utf-8", newline="\n")

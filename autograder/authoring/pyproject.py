@@ -12,10 +12,10 @@ import tomllib
 from collections.abc import Iterator
 from importlib.metadata import PackageNotFoundError, packages_distributions, requires
 from pathlib import Path
-from typing import Any
 
 from autograder.course import Course
 from autograder.course.settings import changed_limits
+from autograder.kinds.strict import Table
 
 ENGINE = "course-autograder"
 LAB = "lab"
@@ -88,7 +88,7 @@ def engine_requirements() -> dict[str, list[str]]:
     source = _PACKAGE / "pyproject.toml"
     found: dict[str, list[str]] = {"": [], LAB: []}
     if source.is_file():
-        project: dict[str, Any] = tomllib.loads(source.read_text(encoding="utf-8"))["project"]
+        project: Table = tomllib.loads(source.read_text(encoding="utf-8"))["project"]
         return found | {"": project["dependencies"], **project.get("optional-dependencies", {})}
     try:
         declared = requires(ENGINE) or []
@@ -107,7 +107,8 @@ def _imported(course: Course) -> list[str]:
     for folder in ("notebooks", "data"):
         for path in (course.root / folder).rglob("*.py"):
             modules |= set(_imports(path))
-    found = {name for module in modules for name in packages_distributions().get(module, ())}
+    installed = packages_distributions()  # reads the metadata of everything that is installed
+    found = {name for module in modules for name in installed.get(module, ())}
     return sorted(name for name in found if distribution(name) != ENGINE)
 
 

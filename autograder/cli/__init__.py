@@ -20,6 +20,7 @@ from autograder.cli import (
     adjust,
     build,
     check,
+    collect,
     doctor,
     export,
     feedback,
@@ -45,7 +46,7 @@ from autograder.reports.plain_text import make_plain
 __all__ = ["BROKEN", "DONE", "INTERRUPTED", "WRONG_USAGE", "main"]
 
 _COMMANDS = (
-    *(intake, grade, regrade, show, override, note),
+    *(collect, intake, grade, regrade, show, override, note),
     *(mark, merge, adjust, export, feedback, similar, mistakes, release),
     *(new, build, check, watch, schema, doctor),
 )

@@ -73,7 +73,8 @@ def add_grading(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "--no-sandbox",
         action="store_true",
-        help="run submissions with your own rights, only if you trust them; reports will say so",
+        help="no isolation: what students wrote can read, change and send away all that you can; "
+        "only for work that you trust; every report says so",
     )
     command.add_argument(
         "--dry-run", action="store_true", help="show what would change, and write nothing"

@@ -65,7 +65,10 @@ def grade_and_report(
         known = _known(book, run, course)
     tally = Tally(book)
     if parsed.no_sandbox:
-        warn("Student code runs with your own rights (--no-sandbox); every report says so.")
+        warn(
+            "--no-sandbox: nothing holds student code back. It can read and change your files, and "
+            "use your network, as you can. Every report says so."
+        )
     people = {row.submission.student: row.match.people for row in summary.rows if row.match.people}
     if not parsed.dry_run:
         book.note_works()

@@ -9,7 +9,6 @@ from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
-from typing import Any
 
 from autograder.course.answers import Answer, answer_from_table
 from autograder.course.predictions import Prediction
@@ -20,6 +19,7 @@ from autograder.errors import CourseError, UsageError
 from autograder.kinds.registry import load_kind
 from autograder.kinds.strict import Place, Table, read_table
 from autograder.kinds.variables import Variables, read_variables
+from autograder.language import use
 
 QUESTIONS = Path("notebooks/questions")
 ANSWERS = Path("solutions/answers")
@@ -311,6 +311,7 @@ def load_course(root: Path | None = None) -> Course:
         raise CourseError(f"There is no course in {root}: it has no folder {QUESTIONS}.")
     root = root.resolve()
     settings = read_settings(root)
+    use(settings.language)
     for package in settings.kinds:
         load_kind(package, root)
     chapters = []
@@ -406,7 +407,7 @@ def _reject_duplicates(chapters: list[Chapter]) -> None:
             stored[question.name] = question.id
 
 
-def _chapter_position(root: Path) -> Any:
+def _chapter_position(root: Path) -> Callable[[Path], str]:
     """Sort key: the number in the master's file name, so chapters stand as in the notebooks."""
     numbers = {
         path.stem.partition("_")[2]: path.stem

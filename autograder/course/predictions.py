@@ -8,9 +8,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from typing import Annotated, Any, TypeGuard
+from typing import Annotated, TypeGuard
 
 import msgspec
+import numpy as np
 from msgspec import Meta
 
 from autograder.course.filling import fill_text
@@ -64,7 +65,7 @@ class Prediction(Written, frozen=True, kw_only=True):
         low, high = self.between
         return low <= value <= high and (not self.integer or value == math.floor(value))
 
-    def read(self, value: Any) -> Guess:
+    def read(self, value: object) -> Guess:
         """What was given, as it is kept: a choice by its text or its number from 1, or a number.
 
         Raises:
@@ -77,7 +78,11 @@ class Prediction(Written, frozen=True, kw_only=True):
                 return str(value)
             listed = ", ".join(f"{n} ({text})" for n, text in enumerate(self.choices, 1))
             raise UsageError(f"Choose one of {listed}.")
-        number = value.item() if getattr(value, "ndim", None) == 0 else value  # NumPy's
+        number = (
+            value.item()
+            if isinstance(value, np.generic | np.ndarray) and value.ndim == 0
+            else value
+        )  # NumPy's
         if self.fits(number):
             return int(number) if self.integer or number == int(number) else float(number)
         what = "a whole number" if self.integer else "a number"

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import Any
 
 from autograder.course.draws import FIELD, drawn, read_draws
 from autograder.course.filling import fill
@@ -51,7 +50,7 @@ class Written:
             filled = drawn(filled, listed, self.table[FIELD], numbers)
         return question_from_table(filled, self.chapter, self.text, self.position)
 
-    def key(self, table: object, variant: int) -> Any:
+    def key(self, table: Table, variant: int) -> Table:
         """The table of its key with what belongs to a variant, where some entries are drawn.
 
         Raises:

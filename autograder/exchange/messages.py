@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any, NotRequired, TypedDict
 
+Value = Any  # an argument or a result: numbers, texts, lists, dictionaries, arrays of any shape
+Values = Mapping[str, Value]  # a case by its arguments' names, or an outcome by what it is
 Message = dict[str, Any]  # on its way: JSON and arrays, of which nothing is known before the check
 
 
@@ -44,5 +47,5 @@ class Evaluation(TypedDict):
     reason: NotRequired[str]
     outcomes: NotRequired[list[Outcome]]
     told: NotRequired[Told]
-    values: NotRequired[Any]  # an array of any shape and type
+    values: NotRequired[Value]  # an array of any shape and type
     value: NotRequired[int | float | complex]

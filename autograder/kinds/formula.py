@@ -17,7 +17,9 @@ from numpy.typing import NDArray
 
 from autograder.errors import CourseError
 
-FUNCTIONS: dict[str, Callable[..., Any]] = {
+Term = Any  # a number, an array of them, or an expression of sympy's: operators find out
+
+FUNCTIONS: dict[str, Callable[..., Term]] = {
     "abs": np.abs,
     "acos": np.arccos,
     "asin": np.arcsin,
@@ -37,14 +39,14 @@ CONSTANTS = {"pi": np.float64(np.pi), "e": np.float64(np.e)}
 MAX_LENGTH = 2000  # characters; nothing longer is written by hand, and Python's parser has limits
 _ARGUMENTS = {"atan2": 2, "where": 3}  # of the others: one
 
-_BINARY: dict[type[ast.operator], Callable[[Any, Any], Any]] = {
+_BINARY: dict[type[ast.operator], Callable[[Term, Term], Term]] = {
     ast.Add: operator.add,
     ast.Sub: operator.sub,
     ast.Mult: operator.mul,
     ast.Div: operator.truediv,
     ast.Pow: operator.pow,
 }
-_COMPARE: dict[type[ast.cmpop], Callable[[Any, Any], Any]] = {
+_COMPARE: dict[type[ast.cmpop], Callable[[Term, Term], Term]] = {
     ast.Lt: operator.lt,
     ast.LtE: operator.le,
     ast.Gt: operator.gt,
@@ -75,7 +77,7 @@ def evaluate_formula(
     except (ValueError, RecursionError, MemoryError):  # a null character; nested too deeply
         raise CourseError(f"{shown} is not a formula: it cannot be parsed.") from None
 
-    def visit(node: ast.expr) -> Any:
+    def visit(node: ast.expr) -> Term:
         match node:
             case ast.Constant(value=int() | float() as number) if not isinstance(number, bool):
                 # As NumPy's float, so that 1/0 is infinite instead of an exception.

@@ -159,10 +159,10 @@ class Kind(ABC, Generic[Q, A]):
         return f'ask("{question.id}").respond(...)'
 
     @abstractmethod
-    def widget(self, desk: object, question: Q, *checked: object) -> Any:
+    def widget(self, desk: Any, question: Q, value: object = ..., mark: Mark | None = None) -> Any:
         """A `QuestionWidget` that asks the question.
 
-        ``checked`` is nothing, or a value that the notebook gave and its mark.
+        ``value`` and ``mark`` are of a value that the notebook gave, if it gave one.
         """
 
     def read_as(self, question: Q, mark: Mark) -> list[str] | None:

@@ -22,7 +22,9 @@ from autograder.kinds.kind import Kind
 from autograder.kinds.question import Question
 
 GROUP = "autograder.kinds"
-_registered: dict[str, Kind[Any, Any]] = {}
+AnyKind = Kind[Any, Any]  # of a question and an answer of its own
+
+_registered: dict[str, AnyKind] = {}
 
 
 def kind_names() -> list[str]:
@@ -35,7 +37,7 @@ def has_kind(name: str) -> bool:
     return name in _registered or name in _folders() or name in _installed()
 
 
-def kind_named(name: str) -> Kind[Any, Any]:
+def kind_named(name: str) -> AnyKind:
     """The kind of this name.
 
     Raises:
@@ -49,12 +51,12 @@ def kind_named(name: str) -> Kind[Any, Any]:
     return _registered[name]
 
 
-def kind_of(question: Question) -> Kind[Any, Any]:
+def kind_of(question: Question) -> AnyKind:
     """The kind of a question."""
     return kind_named(question.kind)
 
 
-def register(kind: Kind[Any, Any]) -> None:
+def register(kind: AnyKind) -> None:
     """Add a kind, in place of another one of its name."""
     _registered[kind.name] = kind
 

@@ -8,9 +8,9 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Callable, Collection, Mapping
-from typing import Any
 
 from autograder.errors import UsageError
+from autograder.kinds.formula import Term
 from autograder.kinds.spelling import is_code, spelt
 
 MAX_LENGTH = 500
@@ -50,7 +50,7 @@ def _why_no_formula(text: str) -> str:
     return "This is not finished, or not a formula: write 2*x for a product and x**2 for a power."
 
 
-def _power(base: Any, exponent: Any) -> object:
+def _power(base: Term, exponent: Term) -> object:
     """A power, unless it would keep the computer busy for longer than anybody waits."""
     if isinstance(exponent, int | float) or getattr(exponent, "is_number", False):
         size = int(base).bit_length() if getattr(base, "is_integer", isinstance(base, int)) else 1
@@ -64,14 +64,14 @@ def value_of(
     name: Callable[[str], object],
     functions: Mapping[str, Callable[..., object]],
     number: Callable[[object], object] = lambda value: value,
-) -> Any:
+) -> Term:
     """The value of a formula's tree.
 
     Raises:
         UsageError: at anything that is not arithmetic.
     """
 
-    def visit(node: ast.expr) -> Any:
+    def visit(node: ast.expr) -> Term:
         match node:
             case ast.Constant(value=int() | float() as value) if not isinstance(value, bool):
                 return number(value)

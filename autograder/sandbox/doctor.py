@@ -5,10 +5,13 @@ from __future__ import annotations
 import platform
 import sys
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING
 
 from autograder.course import Course
 from autograder.errors import MachineError
+
+if TYPE_CHECKING:
+    from autograder.sandbox.tiers import Tier
 
 
 @dataclass(frozen=True)
@@ -94,7 +97,7 @@ def _parts() -> list[Finding]:
     ]
 
 
-def _attempts(tier: Any) -> list[Finding]:
+def _attempts(tier: Tier) -> list[Finding]:
     from autograder.sandbox.tiers import TRIALS, advice
 
     if not tier.results:

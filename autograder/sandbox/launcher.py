@@ -9,12 +9,17 @@ from __future__ import annotations
 import math
 import sys
 import threading
-from typing import Any, Literal, cast
+from typing import TYPE_CHECKING, Literal, cast
 
 from autograder.course import Course
-from autograder.errors import AutograderError
 from autograder.sandbox.doubt import Doubt
+from autograder.sandbox.failure import SandboxError
 from autograder.sandbox.stopped import Stopped
+
+if TYPE_CHECKING:
+    from autograder.sandbox.host import Host
+    from autograder.sandbox.plain import PlainSession
+    from autograder.sandbox.tiers import Tier
 
 __all__ = [
     "Isolation",
@@ -33,10 +38,6 @@ if sys.platform == "linux":
     from autograder.sandbox.session import Session
 else:
     from autograder.sandbox.plain import PlainSession as Session
-
-
-class SandboxError(AutograderError):
-    """Student code cannot be isolated here; the sentence says why and what to do."""
 
 
 class Sandbox:
@@ -59,8 +60,8 @@ class Sandbox:
         self._seed = seed
         self._wanted = isolation
         self._plain = isolation == "none"
-        self._host: Any = None
-        self._sessions: list[Any] = []
+        self._host: Host | None = None
+        self._sessions: list[Session] = []
         self._stopped = threading.Event()
         self.isolation = NO_SANDBOX
         self.doubt = Doubt()
@@ -84,12 +85,12 @@ class Sandbox:
         if self._plain:
             from autograder.sandbox.plain import PlainSession
 
-            session: object = PlainSession(self._course, deadline)
+            session = cast("Session", PlainSession(self._course, deadline))
         else:
             settings = self._course.settings
             session = Session(self._take_host, settings, self._seed, deadline, self.doubt)
         self._sessions = [session]
-        return cast("Session", session)
+        return session
 
     def stop(self) -> None:
         """End everything at once; whoever waits for an answer gets `Stopped`."""
@@ -98,12 +99,13 @@ class Sandbox:
             self._host.stop()
         for session in self._sessions:
             if self._plain:
-                session.stop()
+                cast("PlainSession", session).stop()
 
-    def _take_host(self) -> Any:
+    def _take_host(self) -> Host:
         """The host of this slot; a new one if the last had to be stopped."""
         if self._stopped.is_set():
             raise Stopped("killed", "grading was stopped")
+        assert self._host is not None
         if self._host.is_stopped:
             self._host = self._tier.start()
         return self._host
@@ -131,7 +133,7 @@ def isolation_parts(course: Course, isolation: Isolation = "auto") -> tuple[str,
     return parts(_tier(course, isolation).with_namespaces)
 
 
-def _tier(course: Course, isolation: Isolation) -> Any:
+def _tier(course: Course, isolation: Isolation) -> Tier:
     if sys.platform != "linux":
         raise SandboxError(
             "Submissions can be isolated only on Linux (on Windows use WSL, on a Mac a Linux "

@@ -49,7 +49,7 @@ def limit_resources(limits: Limits) -> None:
     Raises:
         OSError: if this machine allows less than a notebook may use; the error names which limit.
     """
-    pages = int(Path("/proc/self/statm").read_text().split()[0])
+    pages = int(Path("/proc/self/statm").read_text(encoding="utf-8").split()[0])
     memory = pages * resource.getpagesize() + limits.memory_mb * 2**20
     for kind, value in (
         (resource.RLIMIT_AS, memory),

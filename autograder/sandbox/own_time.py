@@ -12,10 +12,11 @@ import resource
 import time
 from bisect import bisect_right
 from contextlib import suppress
-from pathlib import Path
+
+from autograder.sandbox.processes import stat_fields
 
 _TICKS = os.sysconf("SC_CLK_TCK")
-_COULD_RUN = "RD"  # running or waiting for a processor, and waiting for a disk
+_COULD_RUN = (b"R", b"D")  # running or waiting for a processor, and waiting for a disk
 
 
 class OwnTime:
@@ -38,7 +39,7 @@ class OwnTime:
         used, could_run = _of_ended(), False
         for process in processes:
             with suppress(OSError, ValueError, IndexError):  # it has just ended
-                stat = Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()
+                stat = stat_fields(process)
                 could_run = could_run or stat[0] in _COULD_RUN
                 # Its own, and that of its children that it has waited for.
                 used += sum(map(int, stat[11:15])) / _TICKS

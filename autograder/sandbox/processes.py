@@ -50,12 +50,23 @@ def _collect() -> bool:
     return True
 
 
+def stat_fields(process: int) -> list[bytes]:
+    """What the kernel says of a process, from its state on, behind its name.
+
+    Bytes, because a process may name itself by any: one whose name is no text must not be missed.
+
+    Raises:
+        OSError: if it has ended.
+    """
+    return Path(f"/proc/{process}/stat").read_bytes().rpartition(b")")[2].split()
+
+
 def descendants(ancestor: int) -> list[int]:
     """Every process below one, by the parent that each names."""
     children: dict[int, list[int]] = {}
     for process in all_processes():
         with suppress(OSError, ValueError, IndexError):
-            fields = Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()
+            fields = stat_fields(process)
             children.setdefault(int(fields[1]), []).append(process)
     found: list[int] = []
     todo = [ancestor]
@@ -85,7 +96,11 @@ def _statuses() -> Iterator[dict[str, list[str]]]:
     """What the kernel says of each process, by its name for it."""
     for process in all_processes():
         with suppress(OSError):
-            lines = Path(f"/proc/{process}/status").read_text(errors="replace").splitlines()
+            lines = (
+                Path(f"/proc/{process}/status")
+                .read_text(encoding="utf-8", errors="replace")
+                .splitlines()
+            )
             status = {name: text.split() for name, _, text in (s.partition(":") for s in lines)}
             if status.keys() >= {"Uid", "Threads"}:
                 yield status
@@ -203,14 +218,14 @@ def _in_sockets(processes: list[int]) -> int:
 @cache
 def _most_of_a_socket() -> int:
     try:
-        return int(Path("/proc/sys/net/core/wmem_max").read_text())
+        return int(Path("/proc/sys/net/core/wmem_max").read_text(encoding="utf-8"))
     except (OSError, ValueError):  # in a list of processes of its own it may be hidden
         return 212_992
 
 
 def _resident(process: int) -> int:
     try:
-        return int(Path(f"/proc/{process}/statm").read_text().split()[1]) * _PAGE
+        return int(Path(f"/proc/{process}/statm").read_text(encoding="utf-8").split()[1]) * _PAGE
     except (OSError, IndexError, ValueError):
         return 0
 
@@ -218,7 +233,7 @@ def _resident(process: int) -> int:
 def _proportional(process: int) -> int:
     """Memory with shared pages divided among those who share them."""
     try:
-        lines = Path(f"/proc/{process}/smaps_rollup").read_text().splitlines()
+        lines = Path(f"/proc/{process}/smaps_rollup").read_text(encoding="utf-8").splitlines()
         return next(int(line.split()[1]) * 1024 for line in lines if line.startswith("Pss:"))
     except (OSError, StopIteration, ValueError, IndexError):
         return _resident(process)

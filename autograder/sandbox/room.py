@@ -62,7 +62,7 @@ def _processes_left() -> Iterator[int]:
     """How many processes each control group that this one is in has left."""
     groups: list[Path] = []
     with suppress(OSError):
-        for line in Path("/proc/self/cgroup").read_text().splitlines():
+        for line in Path("/proc/self/cgroup").read_text(encoding="utf-8").splitlines():
             _, controllers, path = line.split(":", 2)
             if controllers in ("", "pids"):
                 for top in (_CGROUPS, _CGROUPS / "unified", _CGROUPS / "pids"):

@@ -14,8 +14,8 @@ from autograder.errors import MachineError, machine_error
 from autograder.exchange.channel import Late
 from autograder.exchange.wire import WireError
 from autograder.sandbox import bubblewrap, landlock, seccomp
+from autograder.sandbox.failure import SandboxError
 from autograder.sandbox.host import Host, HostError, limits
-from autograder.sandbox.launcher import SandboxError
 from autograder.sandbox.own_folder import OwnFolder
 from autograder.sandbox.room import require_room
 

@@ -10,12 +10,14 @@ from pathlib import Path
 from autograder.course import Course, load_course
 from autograder.errors import AutograderError, UsageError
 from autograder.kinds.registry import kind_of
+from autograder.language import follow_environment
 from autograder.student import unsaved
 from autograder.student.course_path import course_of_notebook, put_course_first
 from autograder.student.desk import Desk
+from autograder.student.drop import drop
 from autograder.student.frontend import colab_notebook, in_colab, widgets_wanted
 from autograder.student.identity import become, student_of
-from autograder.student.live import Live
+from autograder.student.live import Live, Shown, View
 from autograder.student.marker_client import marker_for
 from autograder.student.responses import answered, responses_folder
 from autograder.student.submission import pack_submission
@@ -40,6 +42,7 @@ NO_COPY = (
 
 put_course_first()
 unsaved.watch()
+follow_environment()
 
 
 @lru_cache(maxsize=1)
@@ -131,9 +134,14 @@ def progress() -> object:
     return _try(lambda: _progress())
 
 
-def submit() -> object:
-    """Pack the notebooks and responses into ``submission.zip`` and say what is unanswered."""
-    return _try(lambda: _submit())
+def submit(to: str | Path | None = None) -> object:
+    """Pack the notebooks and responses into ``submission.zip`` and say what is unanswered.
+
+    Args:
+        to: the drop folder of your instructor, if there is one: the file is handed in there too,
+            unless something that you ran is not saved.
+    """
+    return _try(lambda: _submit(Path(to) if to is not None else None))
 
 
 def _try(action: Callable[[], object]) -> object:
@@ -145,7 +153,7 @@ def _try(action: Callable[[], object]) -> object:
         return None
 
 
-def _shown(view: object, widget: Callable[[], object]) -> object:
+def _shown(view: View, widget: Callable[[], Shown]) -> object:
     """The view itself, or a widget where one can be drawn; it is made only to be drawn."""
     return Live(view, widget) if widgets_wanted() else view
 
@@ -192,7 +200,7 @@ def _me(name: object) -> object:
         return None
     desk = _desk()
 
-    def widget() -> object:
+    def widget() -> Shown:
         from autograder.student.widgets.identity import IdentityWidget
 
         return IdentityWidget(desk)
@@ -214,7 +222,7 @@ def _predict(id: str, value: object) -> object:
         if before is not None and prediction.read(value) != standing:
             print(f"You predicted {prediction.in_words(standing)} before; that stands.")
 
-    def widget() -> object:
+    def widget() -> Shown:
         from autograder.student.widgets.prediction import PredictionWidget
 
         return PredictionWidget(desk, prediction)
@@ -225,7 +233,7 @@ def _predict(id: str, value: object) -> object:
 def _progress() -> object:
     desk = _desk()
 
-    def widget() -> object:
+    def widget() -> Shown:
         from autograder.student.widgets.progress import ProgressWidget
 
         return ProgressWidget(desk)
@@ -233,19 +241,19 @@ def _progress() -> object:
     return _shown(ProgressView(desk.course, desk.entries()), widget)
 
 
-def _submit() -> object:
+def _submit(to: Path | None) -> object:
     desk = _desk()
-    view = _pack(desk)
+    view = _pack(desk, to)
 
-    def widget() -> object:
+    def widget() -> Shown:
         from autograder.student.widgets.submission import SubmissionWidget
 
-        return SubmissionWidget(desk, view, lambda: _pack(desk))
+        return SubmissionWidget(desk, view, lambda: _pack(desk, to))
 
     return _shown(view, widget)
 
 
-def _pack(desk: Desk) -> SubmissionView:
+def _pack(desk: Desk, to: Path | None) -> SubmissionView:
     on_screen = colab_notebook()
     packed = pack_submission(desk.course, responses_folder(desk.course.root), on_screen)
     entries = desk.entries()
@@ -257,6 +265,10 @@ def _pack(desk: Desk) -> SubmissionView:
     warning = ""
     if on_screen is None:
         warning = NO_COPY if in_colab() else unsaved.unsaved_work(packed.folder)
-    return SubmissionView(
-        packed, unanswered, len(desk.course.questions), warning, COLAB if in_colab() else ""
-    )
+    advice, taken = COLAB if in_colab() else "", False
+    if to is not None and warning:
+        advice = f"Nothing was put into {to}."
+    elif to is not None:
+        advice = f"Handed in as {drop(packed.path, to)}; the newest counts."
+        taken = True
+    return SubmissionView(packed, unanswered, len(desk.course.questions), warning, advice, taken)

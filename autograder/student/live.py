@@ -4,12 +4,34 @@ from __future__ import annotations
 
 import weakref
 from collections.abc import Callable
-from typing import Any
+from typing import Protocol
 
 from autograder.student.frontend import current_cell
 
 WIDGET_VIEW = "application/vnd.jupyter.widget-view+json"
-_shown: weakref.WeakValueDictionary[tuple[Any, ...], Any] = weakref.WeakValueDictionary()
+
+
+class View(Protocol):
+    """The readable form."""
+
+    def _repr_mimebundle_(self) -> dict[str, object]: ...
+
+
+class Shown(Protocol):
+    """A widget; ``receipt_display`` is the output that holds its receipt, once there is one."""
+
+    model_id: str
+    topic: str
+    receipt_display: object
+
+    def receipt(self) -> dict[str, object] | None:
+        """What the receipt says; None if there is none."""
+
+    def close(self) -> None:
+        """Take it off the page."""
+
+
+_shown: weakref.WeakValueDictionary[tuple[object, ...], Shown] = weakref.WeakValueDictionary()
 
 
 class Live:
@@ -20,7 +42,7 @@ class Live:
     widget's would take the keyboard's focus away at every click.
     """
 
-    def __init__(self, view: Any, widget: Callable[[], Any]) -> None:
+    def __init__(self, view: View, widget: Callable[[], Shown]) -> None:
         self.view = view
         self._widget = widget
 
@@ -47,7 +69,7 @@ class Live:
             widget.receipt_display = display(receipt, raw=True, display_id=True)
 
 
-def _replace(widget: Any) -> None:
+def _replace(widget: Shown) -> None:
     """Close the widget that the same cell showed before: nobody sees it any more."""
     cell = current_cell()
     if cell is None:

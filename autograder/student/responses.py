@@ -177,7 +177,7 @@ class Responses:
         text = json.dumps({"chapter": self.chapter, "responses": entries}, indent=1)
         descriptor, unfinished = tempfile.mkstemp(dir=self.path.parent, suffix=".tmp")
         try:
-            with open(descriptor, "w", encoding="utf-8") as file:
+            with open(descriptor, "w", encoding="utf-8", newline="\n") as file:
                 file.write(text)
                 file.flush()
                 os.fsync(descriptor)

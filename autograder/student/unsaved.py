@@ -15,7 +15,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
-from typing import Any
+from typing import Protocol
 from urllib.parse import unquote, urlsplit
 
 from autograder.student.frontend import VSCODE_FILE, current_cell, deleted_cells, running_shell
@@ -52,6 +52,13 @@ class Saved:
 _runs: dict[str, Run] = {}  # the last run of each cell, or of each source where cells have no id
 
 
+class CellInfo(Protocol):
+    """What IPython tells of a cell before it runs it."""
+
+    raw_cell: str
+    store_history: bool
+
+
 def watch() -> None:
     """Remember from now on what every cell was when it was run, this one included."""
     shell = running_shell()
@@ -63,7 +70,7 @@ def watch() -> None:
         remember(current_cell(), running[-1])
 
 
-def _remember(info: Any) -> None:
+def _remember(info: CellInfo) -> None:
     for cell in deleted_cells():
         _runs.pop(cell, None)
     if info.store_history:

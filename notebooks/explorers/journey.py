@@ -188,7 +188,7 @@ def first_spot(journey: Journey) -> int:
     return next((n for n in strongest if spots[n].pt in agreeing), strongest[0])
 
 
-def _values(journey: Journey) -> dict[str, Any]:
+def _values(journey: Journey) -> dict[str, object]:
     """What the browser needs, as plain data: pixels are rounded to tenths."""
     shown: dict[int, int] = {}  # spot of the walk -> its row in `patches`
     trees = []

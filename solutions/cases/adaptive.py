@@ -1,11 +1,10 @@
 """Inputs and comparisons for `adaptive_stop` and `msac_cost`."""
 
 import math
-from typing import Any
 
 import numpy as np
 
-Case = dict[str, Any]
+from solutions.cases.case import Case, Value
 
 
 def adaptive_stop_cases(rng: np.random.Generator) -> list[Case]:
@@ -49,7 +48,7 @@ def msac_cost_cases(rng: np.random.Generator) -> list[Case]:
     return cases
 
 
-def same_stop(case: Case, expected: Any, actual: Any) -> bool:
+def same_stop(case: Case, expected: Value, actual: Value) -> bool:
     """Tell whether two numbers of samples are equal; a float that is whole is a whole number."""
     if isinstance(actual, bool | str) or np.size(actual) != 1:
         return False
@@ -59,7 +58,7 @@ def same_stop(case: Case, expected: Any, actual: Any) -> bool:
         return False
 
 
-def same_cost(case: Case, expected: Any, actual: Any) -> bool:
+def same_cost(case: Case, expected: Value, actual: Value) -> bool:
     """Tell whether two costs are equal to six digits, as float32 gives them."""
     if isinstance(actual, bool | str) or np.size(actual) != 1:
         return False
@@ -70,7 +69,7 @@ def same_cost(case: Case, expected: Any, actual: Any) -> bool:
     return math.isclose(cost, float(expected), rel_tol=1e-5, abs_tol=1e-12)
 
 
-def _run(rng: np.random.Generator, low: float, high: float, p: float, at: int) -> list[Any]:
+def _run(rng: np.random.Generator, low: float, high: float, p: float, at: int) -> list[Value]:
     """Return a run of 400 samples: poor ones, a fair one soon, the best one at an index.
 
     The best share is far enough from those at which the number of samples jumps.

@@ -1,11 +1,10 @@
 """Inputs and comparisons for `fit_line` and `line_covariance`."""
 
 import math
-from typing import Any
 
 import numpy as np
 
-Case = dict[str, Any]
+from solutions.cases.case import Case, Value
 
 
 def fit_line_cases(rng: np.random.Generator) -> list[Case]:
@@ -75,7 +74,7 @@ def fit_line_cases(rng: np.random.Generator) -> list[Case]:
     return cases
 
 
-def same_line(case: Case, expected: Any, actual: Any) -> bool:
+def same_line(case: Case, expected: Value, actual: Value) -> bool:
     """Tell whether `actual` is the line `expected`, to 1e-6 rad and 1e-6 of the points' reach.
 
     Both numbers are compared as they are, so a negative r or an alpha outside (-pi, pi] does
@@ -130,7 +129,7 @@ def line_covariance_cases(rng: np.random.Generator) -> list[Case]:
     return cases
 
 
-def same_covariance(case: Case, expected: Any, actual: object) -> bool:
+def same_covariance(case: Case, expected: Value, actual: object) -> bool:
     """Tell whether two (2, 2) covariances agree to a thousandth of the deviations."""
     try:
         values = np.asarray(actual, dtype=float)

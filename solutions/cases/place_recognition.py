@@ -1,12 +1,9 @@
 """Inputs and comparison for the place recognition questions."""
 
-from typing import Any
-
 import numpy as np
 
+from solutions.cases.case import Case, Value
 from solutions.place_recognition.words import assign_words, descend_tree
-
-Case = dict[str, Any]
 
 
 def assign_words_cases(rng: np.random.Generator) -> list[Case]:
@@ -91,7 +88,7 @@ def build_inverted_file_cases(rng: np.random.Generator) -> list[Case]:
     ]
 
 
-def same_inverted_file(case: Case, expected: Any, actual: Any) -> bool:
+def same_inverted_file(case: Case, expected: Value, actual: Value) -> bool:
     """Tell whether both list the same images at each word, in whatever order."""
     if not isinstance(actual, list | tuple | np.ndarray) or len(actual) != len(expected):
         return False
@@ -202,7 +199,7 @@ def l1_scores_cases(rng: np.random.Generator) -> list[Case]:
     ]
 
 
-def _tree(rng: np.random.Generator, branching: int, depth: int) -> list[Any]:
+def _tree(rng: np.random.Generator, branching: int, depth: int) -> list[Value]:
     """Return a descriptor and the levels of a tree, centres scattered about their parents."""
     parents, levels = np.zeros((1, 4)), []
     for level in range(depth):

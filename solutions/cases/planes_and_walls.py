@@ -5,14 +5,12 @@ finds it whatever it draws.
 """
 
 import math
-from typing import Any
 
 import numpy as np
 
+from solutions.cases.case import Case, Value
 from solutions.cases.consensus import INSIDE, LENIENT, across_the_wall, axes_of, far_away
 from solutions.cases.ransac import overlap, seed_of
-
-Case = dict[str, Any]
 
 
 def ransac_plane_cases(rng: np.random.Generator) -> list[Case]:
@@ -52,7 +50,7 @@ def ransac_plane_cases(rng: np.random.Generator) -> list[Case]:
     return [{**public, "public": True}, *cases]
 
 
-def same_plane(case: Case, expected: Any, actual: Any) -> bool:
+def same_plane(case: Case, expected: Value, actual: Value) -> bool:
     """Tell whether plane and inliers agree; a plane may be given by either of its normals.
 
     As with `solutions.cases.ransac.same_consensus`, mistakes are compared loosely.
@@ -131,7 +129,7 @@ def find_walls_cases(rng: np.random.Generator) -> list[Case]:
     return [{**public, "public": True}, *cases]
 
 
-def same_walls(case: Case, expected: Any, actual: Any) -> bool:
+def same_walls(case: Case, expected: Value, actual: Value) -> bool:
     """Tell whether the same walls were found in the same order, which is that of their sizes."""
     try:
         walls = [

@@ -1,13 +1,11 @@
 """Inputs and comparisons for `required_iterations` and `ransac_line`."""
 
 import math
-from typing import Any
 
 import numpy as np
 
+from solutions.cases.case import Case, Value
 from solutions.cases.consensus import across_the_wall, axes_of, far_away
-
-Case = dict[str, Any]
 
 
 def required_iterations_cases(rng: np.random.Generator) -> list[Case]:
@@ -52,7 +50,7 @@ def required_iterations_cases(rng: np.random.Generator) -> list[Case]:
     return cases
 
 
-def same_count(case: Case, expected: Any, actual: Any) -> bool:
+def same_count(case: Case, expected: Value, actual: Value) -> bool:
     """Tell whether two numbers of iterations are equal; from 1e9 on, to nine digits.
 
     So large a number cannot be right to the last digit in floating point, and whoever computes it
@@ -111,7 +109,7 @@ def ransac_line_cases(rng: np.random.Generator) -> list[Case]:
     return [{**public, "public": True}, *cases]
 
 
-def same_consensus(case: Case, expected: Any, actual: Any) -> bool:
+def same_consensus(case: Case, expected: Value, actual: Value) -> bool:
     """Tell whether line and inliers agree: a hundredth of the threshold, and the same indices.
 
     What a mistake finds depends on its random numbers. If `expected` is no consensus set of the

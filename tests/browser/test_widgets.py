@@ -321,7 +321,7 @@ def test_the_keys_for_saving_still_save(sheet: Notebook, path: Path):
     radio(sheet, 1, True).focus()
     sheet.page.keyboard.press("Control+s")
     sheet.wait_until_saved()
-    assert '"Q1.1"' in path.read_text()
+    assert '"Q1.1"' in path.read_text(encoding="utf-8")
 
 
 def test_a_second_tab_shows_what_was_clicked_in_the_first(sheet: Notebook, window: BrowserContext):

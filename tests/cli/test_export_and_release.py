@@ -116,6 +116,6 @@ def test_release_says_what_the_bundle_holds(classroom: Classroom, tmp_path: Path
 
 def test_reports_name_the_missing_sandbox(classroom: Classroom, capsys):
     assert classroom.run("grade", "--no-sandbox", "--regrade", str(classroom.work)) == 0
-    assert "your own rights" in capsys.readouterr().err
+    assert "nothing holds student code back" in capsys.readouterr().err
     for name in ("class.html", "feedback/ada.html", "grades.csv"):
         assert "--no-sandbox" in (classroom.grades / name).read_text()

@@ -86,7 +86,7 @@ def grades(graded: Path, tmp_path: Path) -> Path:
 
 
 def rows(path: Path) -> dict[str, dict[str, str]]:
-    with path.open() as file:
+    with path.open(encoding="utf-8") as file:
         return {row["student"]: row for row in csv.DictReader(file)}
 
 

@@ -69,9 +69,9 @@ def check_class(course: Course, root: Path, layout: str, seed: int) -> None:
 
 def told_by(path: Path, arguments: list[str]) -> dict[str, Any]:
     """What a command prints as JSON."""
-    with path.open("w") as file, contextlib.redirect_stdout(file):
+    with path.open("w", encoding="utf-8") as file, contextlib.redirect_stdout(file):
         assert main(arguments) == 0, arguments
-    told: dict[str, Any] = json.loads(path.read_text())
+    told: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
     return told
 
 

@@ -26,7 +26,7 @@ def pages(out: Path) -> dict[str, int]:
 
 def plain(path: Path) -> str:
     """The text without the numbers by which a process tells its pictures apart."""
-    return re.sub(PICTURE, "n", path.read_text())
+    return re.sub(PICTURE, "n", path.read_text(encoding="utf-8"))
 
 
 def written(course, book: Gradebook, out: Path) -> None:

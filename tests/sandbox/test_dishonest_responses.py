@@ -8,7 +8,8 @@ import pytest
 
 from autograder.course import Course, load_course
 from autograder.grading.submission import grade_contents
-from autograder.intake.submissions import Contents, Notebook, find_submissions, read_submission
+from autograder.intake.find import find_submissions
+from autograder.intake.submissions import Contents, Notebook, read_submission
 from autograder.marking import Mark
 from autograder.marking.marker import Marker
 from autograder.sandbox.launcher import Sandbox
@@ -161,7 +162,7 @@ def cell(source: str, kind: str = "code", **fields: object) -> dict[str, object]
 def hand_in(path: Path, *cells: dict[str, object], **metadata: object) -> Path:
     document = {"nbformat": 4, "nbformat_minor": 5, "metadata": metadata, "cells": list(cells)}
     path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(json.dumps(document))
+    path.write_text(json.dumps(document), encoding="utf-8")
     return path
 
 

@@ -102,7 +102,7 @@ def graded(tmp_path_factory) -> Path:
 
 @pytest.fixture(scope="module")
 def rows(graded: Path) -> dict[str, dict[str, str]]:
-    with open(graded / "grades/grades.csv", newline="") as file:
+    with open(graded / "grades/grades.csv", encoding="utf-8", newline="") as file:
         return {row["student"].lstrip("'"): row for row in csv.DictReader(file)}
 
 

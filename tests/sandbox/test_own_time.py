@@ -4,12 +4,14 @@ import os
 import signal
 import time
 from contextlib import contextmanager
+from pathlib import Path
 
 import pytest
 from small_course import LIMITS, asked
 
 from autograder.sandbox.launcher import Stopped
 from autograder.sandbox.own_time import OwnTime
+from autograder.sandbox.processes import descendants, stat_fields
 from autograder.sandbox.session import Session
 
 
@@ -45,7 +47,7 @@ def spinners(count):
 
 
 def processor_time(process):
-    with open(f"/proc/{process}/stat") as file:
+    with open(f"/proc/{process}/stat", encoding="utf-8") as file:
         return sum(map(int, file.read().rpartition(")")[2].split()[11:15])) / 100
 
 
@@ -101,14 +103,14 @@ def sleep(seconds):
 
 
 def test_work_within_its_time_counts_on_a_busy_machine(sandbox):
-    """Of ten processes on two processors each gets a fifth: 1.2 s take about six."""
-    with Session(sandbox._take_host, LIMITS, 1) as session, spinners(10):
+    """Of seven processes on two processors each gets two sevenths: 1.2 s take about four."""
+    with Session(sandbox._take_host, LIMITS, 1) as session, spinners(6):
         assert session.run([WORK], [])["errors"] == [None]
         assert asked(session, "work", 1.2)["outcomes"] == [{"value": 1}]
 
 
 def test_a_cell_within_its_time_counts_on_a_busy_machine(sandbox):
-    with Session(sandbox._take_host, LIMITS, 1) as session, spinners(10):
+    with Session(sandbox._take_host, LIMITS, 1) as session, spinners(6):
         assert session.run([WORK, "work(0.6)"], [])["errors"] == [None, None]
 
 
@@ -133,3 +135,16 @@ except PermissionError:
 """
     with sandbox.session() as session:
         assert session.run([cell], ["found"])["understood"] == {"found": "True"}
+
+
+def test_a_process_whose_name_is_no_text_is_found_and_its_time_counted():
+    def hide_and_spin():
+        with open("/proc/self/comm", "wb") as name:
+            name.write(b"\xff) R \xfe")
+        spin()
+
+    with forked(hide_and_spin) as process:
+        while b"\xff" not in Path(f"/proc/{process}/comm").read_bytes():
+            time.sleep(0.01)
+        assert process in descendants(os.getpid())
+        assert stat_fields(process)[1] == str(os.getpid()).encode()

@@ -72,7 +72,7 @@ def test_a_mistyped_course_is_named(tmp_path: Path):
 @pytest.mark.parametrize("other", ["nothing", "another project of that name"])
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
 def test_the_first_cell_says_how_to_install_the_course(path: Path, other: str, tmp_path: Path):
-    cells = json.loads(path.read_text())["cells"]
+    cells = json.loads(path.read_text(encoding="utf-8"))["cells"]
     first = next(cell for cell in cells if cell["cell_type"] == "code")
     if other != "nothing":
         (tmp_path / "autograder.py").write_text("def grade(): ...\n")

@@ -87,7 +87,7 @@ def test_a_write_that_fails_half_way_leaves_the_old_file(
 def test_an_answer_that_cannot_be_saved_says_so_and_shows_no_mark(
     garden: Path, capsys: pytest.CaptureFixture[str]
 ):
-    garden.write_text("a file stands where the folder should be")
+    garden.write_text("a file stands where the folder should be", encoding="utf-8")
     assert ask("Q1.1").respond([False, True]) is None
     said = capsys.readouterr().out
     assert said.count("\n") == 1

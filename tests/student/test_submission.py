@@ -9,6 +9,8 @@ from pathlib import Path
 import pytest
 
 from autograder import ask, check, submit
+from autograder.cli import main
+from autograder.student import unsaved
 
 
 def test_the_zip_holds_the_notebooks_and_the_responses(own_garden: Path):
@@ -80,3 +82,37 @@ def test_a_renamed_notebook_is_known_by_its_questions_and_named(own_garden: Path
     with zipfile.ZipFile(notebooks / "submission.zip") as archive:
         assert archive.namelist() == ["final version.ipynb", "submitted.txt"]
     assert "final version.ipynb" in repr(shown)
+
+
+def test_a_drop_folder_takes_the_file_and_an_instructor_finds_it_with_its_time(
+    own_garden: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+):
+    taking = tmp_path / "drop"
+    taking.mkdir()
+    taking.chmod(0o3773)
+    said = repr(submit(to=taking))
+    assert f"Handed in as {taking}" in said
+    assert "Hand in this file" not in said
+    assert main(["collect", str(taking), "--out", str(tmp_path / "class")]) == 0
+    capsys.readouterr()
+    assert main(["intake", "--json", str(tmp_path / "class")]) == 0
+    [row] = json.loads(capsys.readouterr().out)["submissions"]
+    assert row["time_from"] == "times.csv"
+
+
+def test_a_drop_folder_gets_nothing_while_work_is_not_saved(
+    own_garden: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+):
+    monkeypatch.setattr(unsaved, "_runs", {})
+    unsaved.remember("ask", "bed_area = 12")
+    said = repr(submit(to=str(tmp_path)))
+    assert "Not ready to hand in" in said
+    assert f"Nothing was put into {tmp_path}" in said
+    assert list(tmp_path.glob("*.zip")) == []
+
+
+def test_a_drop_folder_that_is_not_there_is_named(
+    own_garden: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+):
+    assert submit(to=tmp_path / "none") is None
+    assert "none is not a folder, so nothing was handed in" in capsys.readouterr().out

@@ -66,7 +66,7 @@ def test_an_answer_that_cannot_be_saved_is_taken_back_and_said(desk: Desk, garde
     for left in garden.iterdir():
         left.unlink()
     garden.rmdir()
-    garden.write_text("in the way")
+    garden.write_text("in the way", encoding="utf-8")
     say(widget, "choose", statement=0, said=True)
     assert sent[-1]["ok"] is False
     assert "NOT saved" in sent[-1]["said"]

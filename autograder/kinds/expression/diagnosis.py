@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import ast
 import time
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import cache
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,7 +13,7 @@ from numpy.typing import NDArray
 from autograder.errors import CourseError
 from autograder.kinds.drawn import NOTHING_AROUND, Around
 from autograder.kinds.expression.answer import ExpressionAlternative, ExpressionAnswer
-from autograder.kinds.expression.marking import Points, same_values
+from autograder.kinds.expression.equal_values import Points, same_values
 from autograder.kinds.expression.question import Expression
 from autograder.kinds.expression.slopes import slopes
 from autograder.kinds.expression.wholes import terms, wholes
@@ -41,6 +40,8 @@ _WORDS = {
     "constant one more": "a constant is off by one",
     "constant one less": "a constant is off by one",
 }
+
+Formula = Callable[[str], np.ndarray | None]  # its values, if it has any
 
 
 def diagnose_expression(
@@ -75,12 +76,12 @@ def _diagnoses(
     period = float(evaluate_formula(entry.modulo, {})) if entry.modulo else None
     expected = np.broadcast_to(evaluate_formula(entry.expression, points), (count,)).astype(float)
 
-    def fits(wrong: NDArray[Any] | None) -> bool:
+    def fits(wrong: np.ndarray | None) -> bool:
         if wrong is None or same_values(expected, wrong.astype(complex), period):
             return False
         return same_values(wrong, values, period)
 
-    def of(text: str, at: Mapping[str, NDArray[np.float64]] = points) -> NDArray[Any] | None:
+    def of(text: str, at: Mapping[str, NDArray[np.float64]] = points) -> np.ndarray | None:
         try:
             return np.broadcast_to(evaluate_formula(text, at), next(iter(at.values())).shape)
         except CourseError:  # it has a symbol that is not drawn here
@@ -143,11 +144,14 @@ def _changed(
 
 
 def _by_terms(
-    question: Expression, parts: Sequence[str], of: Any, values: Values
+    question: Expression,
+    parts: Sequence[str],
+    of: Callable[[str], np.ndarray | None],
+    values: Values,
 ) -> Diagnosis | None:
     """Which of the right formula's terms have another factor, by a linear fit."""
-    columns = [of(part) for part in parts]
-    if not 2 <= len(parts) <= _MOST_TERMS or any(column is None for column in columns):
+    columns = [column for part in parts if (column := of(part)) is not None]
+    if not 2 <= len(parts) <= _MOST_TERMS or len(columns) < len(parts):
         return None
     matrix = np.column_stack(columns)
     half = len(values) // 2
@@ -195,7 +199,7 @@ def _names(text: str) -> set[str]:
     return {node.id for node in ast.walk(ast.parse(text)) if isinstance(node, ast.Name)}
 
 
-def _constant(values: Values, expected: NDArray[Any]) -> float | None:
+def _constant(values: Values, expected: np.ndarray) -> float | None:
     """The factor by which all values differ, if it is one that somebody meant."""
     telling = np.abs(expected) > 1e-6
     if telling.sum() <= len(expected) // 2:
@@ -209,7 +213,7 @@ def _constant(values: Values, expected: NDArray[Any]) -> float | None:
     return float(ratios[0].real)
 
 
-def _nearly(wrong: NDArray[Any], values: Values) -> bool:
+def _nearly(wrong: np.ndarray, values: Values) -> bool:
     """Whether values are others that were found by small steps, and so are less exact."""
     if not np.isfinite(wrong).all() or np.ptp(wrong) < 1e-6:
         return False

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -26,6 +26,10 @@ from autograder.kinds.formula import evaluate_formula
 from autograder.kinds.mark import Mark
 from autograder.kinds.typed import assign_if_open
 from autograder.marking.mutants.mutant import Trial
+
+if TYPE_CHECKING:
+    from autograder.kinds.expression.widget import ExpressionWidget
+    from autograder.student.desk import Desk
 
 
 class ExpressionKind(CodeKind[Expression, ExpressionAnswer]):
@@ -97,10 +101,12 @@ class ExpressionKind(CodeKind[Expression, ExpressionAnswer]):
         symbols = [f"- `{name}`: {meaning}" for name, meaning in question.symbols.items()]
         return [*symbols, "", *super().lines(question, response)]
 
-    def widget(self, desk: Any, question: Expression, *checked: Any) -> Any:
+    def widget(
+        self, desk: Desk, question: Expression, value: object = ..., mark: Mark | None = None
+    ) -> ExpressionWidget:
         from autograder.kinds.expression.widget import ExpressionWidget
 
-        return ExpressionWidget(desk, question, *checked)
+        return ExpressionWidget(desk, question, value, mark)
 
     def more_heading(self, question: Expression) -> list[str]:
         rows = [f"| `{name}` | {meaning} |" for name, meaning in question.symbols.items()]

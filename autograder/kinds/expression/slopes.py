@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,12 +10,12 @@ from numpy.typing import NDArray
 _STEP = 1e-3
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(20)
 Points = Mapping[str, NDArray[np.float64]]
-Of = Callable[[str, Points], NDArray[Any] | None]
+Of = Callable[[str, Points], np.ndarray | None]
 
 
 def slopes(
     of: Of, formula: str, symbols: Sequence[str], points: Points
-) -> Iterator[tuple[str, str, NDArray[Any]]]:
+) -> Iterator[tuple[str, str, np.ndarray]]:
     """The derivative and the antiderivative in each symbol: name, what it looks like, values.
 
     A derivative is right to about nine digits. An antiderivative is zero where its symbol is.
@@ -26,7 +25,7 @@ def slopes(
             continue
         at = points[symbol]
 
-        def beside(values: NDArray[Any], symbol: str = symbol) -> NDArray[Any] | None:
+        def beside(values: np.ndarray, symbol: str = symbol) -> np.ndarray | None:
             """The formula where the symbol has each row of values, all in one."""
             many = {name: np.tile(other, len(values)) for name, other in points.items()}
             found = of(formula, {**many, symbol: values.ravel()})

@@ -13,7 +13,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 
 import numpy as np
 
-from autograder.kinds.function.values import Value, Values
+from autograder.exchange.messages import Value, Values
 
 Agrees = Callable[[int, Mapping[str, object]], bool]  # whether an outcome is right for a case
 

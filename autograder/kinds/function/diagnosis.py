@@ -11,8 +11,8 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 
 import numpy as np
 
+from autograder.exchange.messages import Value, Values
 from autograder.kinds.function.repairs import Repair, repairs
-from autograder.kinds.function.values import Value, Values
 from autograder.marking.diagnosis.relations import RELATIONS, Diagnosis
 
 MOST_SECONDS = 0.1  # of a processor, for one response

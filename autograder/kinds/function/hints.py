@@ -6,9 +6,9 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from autograder.exchange.messages import Values
 from autograder.exchange.reasons import REASONS
 from autograder.kinds.function.question import Function
-from autograder.kinds.function.values import Values
 
 _SHORT = 160  # characters of an input or a value that a hint may show
 

@@ -25,10 +25,10 @@ from types import FunctionType
 
 import numpy as np
 
+from autograder.exchange.messages import Value
 from autograder.kinds.function.marking import Compare, Outcome, agrees
 from autograder.kinds.function.slips import VAGUE, in_words, slips
 from autograder.kinds.function.trial import mutants_of, outcome_of
-from autograder.kinds.function.values import Value
 from autograder.marking.diagnosis.relations import Diagnosis
 from autograder.marking.mutants.clones import reachable
 from autograder.marking.mutants.mutant import Mutant, OutOfTime

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from autograder.course.loading import load_object
+from autograder.exchange.messages import Value
 from autograder.kinds.answer import Alternative
 from autograder.kinds.code import CodeKind
 from autograder.kinds.drawn import Drawn
@@ -20,9 +22,12 @@ from autograder.kinds.function.question import Function
 from autograder.kinds.function.stub import function_stub, reference_source
 from autograder.kinds.function.take_snapshot import take_snapshot
 from autograder.kinds.function.trial import FunctionTrial
-from autograder.kinds.function.values import Value
 from autograder.kinds.mark import Mark
 from autograder.marking.mutants.mutant import Trial
+
+if TYPE_CHECKING:
+    from autograder.kinds.function.widget import FunctionWidget
+    from autograder.student.desk import Desk
 
 
 class FunctionKind(CodeKind[Function, FunctionAnswer]):
@@ -57,10 +62,12 @@ class FunctionKind(CodeKind[Function, FunctionAnswer]):
     def picture(self, answer: FunctionAnswer) -> str | None:
         return answer.picture
 
-    def widget(self, desk: Value, question: Function, *checked: Value) -> Value:
+    def widget(
+        self, desk: Desk, question: Function, value: object = ..., mark: Mark | None = None
+    ) -> FunctionWidget:
         from autograder.kinds.function.widget import FunctionWidget
 
-        return FunctionWidget(desk, question, *checked)
+        return FunctionWidget(desk, question, value, mark)
 
     def cells(self, question: Function, answer: FunctionAnswer, root: Path) -> tuple[str, str]:
         source = reference_source(answer, root)

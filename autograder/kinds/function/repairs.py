@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator
 
 import numpy as np
 
-from autograder.kinds.function.values import Value, Values
+from autograder.exchange.messages import Value, Values
 
 Case = Values
 Repair = Callable[[Case, object, object], object]  # of a case, what is right, and what was given

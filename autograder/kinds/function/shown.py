@@ -7,8 +7,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from autograder.exchange.messages import Value
 from autograder.exchange.sizes import BYTES_A_LIST, BYTES_A_NUMBER, count_parts, unpacked_bytes
-from autograder.kinds.function.values import Value
 
 _MOST_NUMBERS = 400
 

@@ -6,11 +6,11 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from autograder.exchange.messages import Value
 from autograder.kinds.function.diagnosis import diagnose_function
 from autograder.kinds.function.hints import hint
 from autograder.kinds.function.marking import agrees, close
 from autograder.kinds.function.question import Function
-from autograder.kinds.function.values import Value
 from autograder.kinds.mark import Mark, Part, stopped
 from autograder.kinds.snapshot import LATER
 from autograder.marking.diagnosis.relations import Diagnosis

@@ -15,9 +15,9 @@ from collections.abc import Callable, Iterator, Sequence
 
 import numpy as np
 
+from autograder.exchange.messages import Value
 from autograder.kinds.function.answer import FunctionAnswer
 from autograder.kinds.function.marking import Expected, agrees, close
-from autograder.kinds.function.values import Value
 from autograder.kinds.pack import pack
 
 

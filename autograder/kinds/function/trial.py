@@ -12,10 +12,10 @@ from types import FunctionType
 import numpy as np
 
 from autograder.course.loading import load_object
+from autograder.exchange.messages import Value, Values
 from autograder.kinds.function.answer import FunctionAnswer
 from autograder.kinds.function.inside.evaluate import evaluate
 from autograder.kinds.function.marking import Outcome, agrees, close
-from autograder.kinds.function.values import Value, Values
 from autograder.marking.mutants.clones import reachable, tree_of, with_changed
 from autograder.marking.mutants.edits import MoreEdits, begin_with, described, edited
 from autograder.marking.mutants.limit import time_limit

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from typing import Any, TypeGuard
+from typing import TYPE_CHECKING, TypeGuard
 
 from autograder.kinds.answer import Alternative
 from autograder.kinds.code import CodeKind
@@ -15,6 +15,10 @@ from autograder.kinds.number.marking import mark_number
 from autograder.kinds.number.question import Number
 from autograder.kinds.number.typed import read_number
 from autograder.kinds.typed import assign_if_open
+
+if TYPE_CHECKING:
+    from autograder.kinds.number.widget import NumberWidget
+    from autograder.student.desk import Desk
 
 
 class NumberKind(CodeKind[Number, NumberAnswer]):
@@ -56,10 +60,12 @@ class NumberKind(CodeKind[Number, NumberAnswer]):
             return None
         return mark_number(question, answer, value, understood, drawn.around)
 
-    def widget(self, desk: Any, question: Number, *checked: Any) -> Any:
+    def widget(
+        self, desk: Desk, question: Number, value: object = ..., mark: Mark | None = None
+    ) -> NumberWidget:
         from autograder.kinds.number.widget import NumberWidget
 
-        return NumberWidget(desk, question, *checked)
+        return NumberWidget(desk, question, value, mark)
 
     def response_like(self, question: Number, alternative: Alternative, drawn: Drawn) -> object:
         assert isinstance(alternative, NumberAlternative)

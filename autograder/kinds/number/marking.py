@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from decimal import Decimal
-from typing import Any
 
+from autograder.exchange.messages import Message
 from autograder.kinds.drawn import NOTHING_AROUND, Around
 from autograder.kinds.mark import Mark, status_for
 from autograder.kinds.number.answer import NumberAlternative, NumberAnswer
 from autograder.kinds.number.diagnosis import diagnose_number
 from autograder.kinds.number.question import Number
+from autograder.language import _
 
 
 def mark_number(
@@ -25,7 +26,7 @@ def mark_number(
     that is what the student is shown: the value itself may by now be a hidden input, kept by one
     function and given back by another object, unless it is a value that the key knows.
     """
-    known: dict[str, Any] = {
+    known: Message = {
         "explanation": answer.explanation,
         "understood": _as_number(understood, question),
     }
@@ -37,14 +38,14 @@ def mark_number(
                 status_for(alternative.credit),
                 alternative.credit,
                 question.points,
-                alternative.feedback or "Right.",
+                alternative.feedback or _("Right."),
                 alternative=alternative.name,
                 **known,
             )
     if question.integer and value != round(value):
-        feedback = "A whole number is asked for. Decide whether to round up or down, and why."
+        feedback = _("A whole number is asked for. Decide whether to round up or down, and why.")
     else:
-        feedback = (
+        feedback = _(
             "That is not the value asked for. A hint may help: look at what each symbol counts."
         )
     name = None

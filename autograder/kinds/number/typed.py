@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
-from typing import Any
 
 from autograder.errors import UsageError
+from autograder.kinds.formula import Term
 from autograder.kinds.typed import parse, value_of
 
 MAX_COUNT = 100_000
@@ -31,7 +31,7 @@ def read_number(text: str, variables: Mapping[str, object]) -> int | float:
     functions |= {"comb": _count(math.comb), "perm": _count(math.perm)}
     tree = parse(text, functions)
 
-    def name(id: str) -> Any:
+    def name(id: str) -> Term:
         if id in ("pi", "e"):
             return getattr(math, id)
         value = variables.get(id)
@@ -53,7 +53,7 @@ def read_number(text: str, variables: Mapping[str, object]) -> int | float:
 def _count(function: Callable[[int, int], int]) -> Callable[[object, object], int]:
     """``comb`` or ``perm`` for numbers that are not absurd."""
 
-    def counted(n: Any, k: Any) -> int:
+    def counted(n: Term, k: Term) -> int:
         if max(n, k) > MAX_COUNT:
             raise UsageError("Those numbers are too large to count with.")
         return function(n, k)

@@ -12,9 +12,10 @@ import itertools
 import math
 import operator
 from collections.abc import Callable, Iterator, Mapping
-from typing import Any
 
 import numpy as np
+
+from autograder.kinds.formula import Term
 
 _MODULES = {"math": math, "np": np}
 _MOST_NODES = 60  # of a formula; a longer one is a program
@@ -51,8 +52,8 @@ _FUNCTIONS = frozenset(
         "power",
     ]
 )
-_BUILTINS: dict[str, Callable[..., Any]] = {"abs": abs, "round": round, "min": min, "max": max}
-_ARITHMETIC: dict[type[ast.operator], Callable[[object, object], Any]] = {
+_BUILTINS: dict[str, Callable[..., Term]] = {"abs": abs, "round": round, "min": min, "max": max}
+_ARITHMETIC: dict[type[ast.operator], Callable[[object, object], Term]] = {
     ast.Add: operator.add,
     ast.Sub: operator.sub,
     ast.Mult: operator.mul,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import textwrap
 from collections.abc import Iterator
-from typing import Any
+from typing import TYPE_CHECKING
 
 from autograder.kinds.choice import ChoiceKind
 from autograder.kinds.mark import Mark
@@ -12,6 +12,10 @@ from autograder.kinds.order import response as given
 from autograder.kinds.order.answer import OrderAnswer, check_order
 from autograder.kinds.order.marking import is_right, mark_order, transitive_closure
 from autograder.kinds.order.question import Order
+
+if TYPE_CHECKING:
+    from autograder.kinds.order.widget import OrderWidget
+    from autograder.student.desk import Desk
 
 
 class OrderKind(ChoiceKind[Order, OrderAnswer]):
@@ -33,25 +37,27 @@ class OrderKind(ChoiceKind[Order, OrderAnswer]):
     def fits(self, question: Order, response: object) -> bool:
         return given.fits(question, response)
 
-    def is_untouched(self, question: Order, response: Any) -> bool:
-        return tuple(response) == question.start
+    def is_untouched(self, question: Order, response: object) -> bool:
+        return tuple(given.chosen(question, response) or ()) == question.start
 
     def read_response(self, question: Order, response: object) -> object:
         return given.read_response(question, response)
 
-    def in_words(self, question: Order, response: Any) -> str:
-        return given.in_words(question, response)
+    def in_words(self, question: Order, response: object) -> str:
+        return given.in_words(question, given.chosen(question, response) or [])
 
     def mark_choice(self, question: Order, answer: OrderAnswer, response: object) -> Mark:
         return mark_order(question, answer, response)
 
-    def lines(self, question: Order, response: Any) -> list[str]:
-        return given.lines(question, response)
+    def lines(self, question: Order, response: object) -> list[str]:
+        return given.lines(question, given.chosen(question, response) or [])
 
-    def respond_line(self, question: Order, response: Any) -> str:
-        return given.respond_line(question, response)
+    def respond_line(self, question: Order, response: object) -> str:
+        return given.respond_line(question, given.chosen(question, response))
 
-    def widget(self, desk: Any, question: Order, *checked: object) -> Any:
+    def widget(
+        self, desk: Desk, question: Order, value: object = ..., mark: Mark | None = None
+    ) -> OrderWidget:
         from autograder.kinds.order.widget import OrderWidget
 
         return OrderWidget(desk, question)

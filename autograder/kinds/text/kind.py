@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
+from typing import TYPE_CHECKING
 
 from autograder.errors import UsageError
 from autograder.exchange.printable import printable
@@ -12,6 +12,11 @@ from autograder.kinds.mark import Mark, not_attempted
 from autograder.kinds.text import question as asked
 from autograder.kinds.text.answer import TextAnswer, check_text
 from autograder.kinds.text.question import Text
+from autograder.language import _
+
+if TYPE_CHECKING:
+    from autograder.kinds.text.widget import TextWidget
+    from autograder.student.desk import Desk
 
 
 class TextKind(ChoiceKind[Text, TextAnswer]):
@@ -56,7 +61,7 @@ class TextKind(ChoiceKind[Text, TextAnswer]):
             "recorded",
             0.0,
             question.points,
-            "Kept. A person will mark it.",
+            _("Kept. A person will mark it."),
             explanation=answer.explanation,
             understood=shown,
         )
@@ -65,10 +70,12 @@ class TextKind(ChoiceKind[Text, TextAnswer]):
         kept = [f"> {line}" for line in str(response).splitlines()] if response else []
         return [*kept, "", f"Answer with a line of code: `{self.respond_line(question, None)}`"]
 
-    def respond_line(self, question: Text, response: Any) -> str:
+    def respond_line(self, question: Text, response: object) -> str:
         return f'ask("{question.id}").respond("""...""")'
 
-    def widget(self, desk: Any, question: Text, *checked: object) -> Any:
+    def widget(
+        self, desk: Desk, question: Text, value: object = ..., mark: Mark | None = None
+    ) -> TextWidget:
         from autograder.kinds.text.widget import TextWidget
 
         return TextWidget(desk, question)

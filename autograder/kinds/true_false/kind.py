@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
+from typing import TYPE_CHECKING
 
 from autograder.kinds.choice import ChoiceKind
 from autograder.kinds.mark import Mark
@@ -11,6 +11,10 @@ from autograder.kinds.true_false import response as given
 from autograder.kinds.true_false.answer import TrueFalseAnswer
 from autograder.kinds.true_false.marking import mark_true_false
 from autograder.kinds.true_false.question import TrueFalse
+
+if TYPE_CHECKING:
+    from autograder.kinds.true_false.widget import TrueFalseWidget
+    from autograder.student.desk import Desk
 
 
 class TrueFalseKind(ChoiceKind[TrueFalse, TrueFalseAnswer]):
@@ -32,25 +36,27 @@ class TrueFalseKind(ChoiceKind[TrueFalse, TrueFalseAnswer]):
     def fits(self, question: TrueFalse, response: object) -> bool:
         return given.fits(question, response)
 
-    def is_untouched(self, question: TrueFalse, response: Any) -> bool:
-        return all(said is None for said in response)
+    def is_untouched(self, question: TrueFalse, response: object) -> bool:
+        return not any(choice is not None for choice in given.chosen(question, response) or ())
 
     def read_response(self, question: TrueFalse, response: object) -> object:
         return given.read_response(question, response)
 
-    def in_words(self, question: TrueFalse, response: Any) -> str:
-        return given.in_words(response)
+    def in_words(self, question: TrueFalse, response: object) -> str:
+        return given.in_words(given.chosen(question, response) or [])
 
     def mark_choice(self, question: TrueFalse, answer: TrueFalseAnswer, response: object) -> Mark:
         return mark_true_false(question, answer, response)
 
-    def lines(self, question: TrueFalse, response: Any) -> list[str]:
-        return given.lines(question, response)
+    def lines(self, question: TrueFalse, response: object) -> list[str]:
+        return given.lines(question, given.chosen(question, response) or [])
 
-    def respond_line(self, question: TrueFalse, response: Any) -> str:
-        return given.respond_line(question, response)
+    def respond_line(self, question: TrueFalse, response: object) -> str:
+        return given.respond_line(question, given.chosen(question, response))
 
-    def widget(self, desk: Any, question: TrueFalse, *checked: object) -> Any:
+    def widget(
+        self, desk: Desk, question: TrueFalse, value: object = ..., mark: Mark | None = None
+    ) -> TrueFalseWidget:
         from autograder.kinds.true_false.widget import TrueFalseWidget
 
         return TrueFalseWidget(desk, question)

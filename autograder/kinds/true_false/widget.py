@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
 
 from autograder.errors import UsageError
 from autograder.kinds.true_false.question import TrueFalse
@@ -25,7 +24,7 @@ class TrueFalseWidget(ChoiceWidget):
         statements = [inline(statement) for statement in self.question.statements]
         return {**super().what_is_fixed(), "statements": statements}
 
-    def do_choose(self, message: dict[str, object]) -> dict[str, Any]:
+    def do_choose(self, message: dict[str, object]) -> dict[str, object]:
         """Keep the choice for one statement; the others stay as they are kept, by whomever."""
         at, said = message["statement"], message["said"]
         count = len(self.question.statements)

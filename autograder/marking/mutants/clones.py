@@ -49,7 +49,7 @@ def with_changed(
     reached: list[FunctionType],
     changed: FunctionType,
     tree: ast.FunctionDef,
-    more: Mapping[str, Any] | None = None,
+    more: Mapping[str, object] | None = None,
 ) -> Callable[..., object]:
     """``function`` as it is when ``changed``, one of those it reaches, has another tree.
 

@@ -200,7 +200,7 @@ class _Interrupted:
 def _own_clock() -> float:
     """A clock that stands still while this thread waits for a processor, where Linux tells."""
     try:
-        waited = int(Path("/proc/thread-self/schedstat").read_text().split()[1])
+        waited = int(Path("/proc/thread-self/schedstat").read_text(encoding="utf-8").split()[1])
     except (OSError, IndexError, ValueError):
         waited = 0
     return time.monotonic() - waited / 1e9
@@ -215,7 +215,7 @@ def _described(response: object) -> str:
         return f"a {type(response).__name__}"
 
 
-def _save_nothing(figure: Any, target: Any, *arguments: Any, **options: Any) -> None:
+def _save_nothing(figure: object, target: Any, *arguments: object, **options: object) -> None:
     """Stand in for ``Figure.savefig``: a picture of one pixel."""
     if hasattr(target, "write"):
         target.write(_PIXEL)

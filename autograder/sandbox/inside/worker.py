@@ -78,7 +78,7 @@ def _limit_memory(megabytes: int) -> None:
             importlib.import_module(name)
 
     try:
-        used = int(Path("/proc/self/statm").read_text().split()[0]) * resource.getpagesize()
+        used = int(Path("/proc/self/statm").read_bytes().split()[0]) * resource.getpagesize()
     except OSError:
         return
     limit = used + megabytes * 2**20

@@ -99,7 +99,7 @@ class Zygote:
         if not how.alone:
             lockdown.adopt_orphans()
         with suppress(OSError):  # under memory pressure the kernel takes these first
-            Path("/proc/self/oom_score_adj").write_text("1000")
+            Path("/proc/self/oom_score_adj").write_text("1000", encoding="utf-8")
         self._work = Path(how.scratch) / "work"
         self._sweep()
         _bring_font_list(self._work)

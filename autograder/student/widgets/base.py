@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from functools import lru_cache
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING
 
 import anywidget
 import traitlets
 
 from autograder.errors import AutograderError
 from autograder.student.desk import Desk
+
+if TYPE_CHECKING:
+    from IPython.display import DisplayHandle
 
 _HERE = Path(__file__).parent
 
@@ -42,7 +45,7 @@ class CourseWidget(anywidget.AnyWidget):
 
     def __init__(self, desk: Desk) -> None:
         self.desk = desk
-        self.receipt_display: Any = None
+        self.receipt_display: DisplayHandle | None = None
         super().__init__(fixed=self.what_is_fixed(), state=self.what_is_kept())
         self.on_msg(self._receive)
         desk.watch(self)

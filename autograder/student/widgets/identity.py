@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from autograder.student.identity import become, student_of, warning
 from autograder.student.widgets.base import CourseWidget, source
 
@@ -17,13 +15,13 @@ class IdentityWidget(CourseWidget):
     _esm = source("common.js", "identity.js")
     _css = source("common.css", "value.css")
 
-    def what_is_fixed(self) -> dict[str, Any]:
+    def what_is_fixed(self) -> dict[str, object]:
         return {"label": "Who you are", "personal": self.desk.course.personal}
 
-    def what_is_kept(self) -> dict[str, Any]:
+    def what_is_kept(self) -> dict[str, object]:
         return {"name": student_of(self.desk.course)}
 
-    def do_say(self, message: dict[str, Any]) -> dict[str, Any]:
+    def do_say(self, message: dict[str, object]) -> dict[str, object]:
         """Keep a name, or reply with a warning that is to be confirmed."""
         name = str(message["name"])
         if not message.get("sure") and (warned := warning(self.desk.course, name)):

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from autograder.course.predictions import Prediction
 from autograder.errors import UsageError
 from autograder.exchange.messages import Message
@@ -61,7 +59,7 @@ class PredictionWidget(CourseWidget):
         return {}
 
 
-def _number(text: str) -> Any:
+def _number(text: str) -> int | float | str:
     """What a typed number means; arithmetic such as ``1/3`` will do.
 
     A percent sign says what the unit says already, and is passed over.

@@ -22,7 +22,7 @@ function render({ model, el }) {
       make(
         "p",
         {},
-        state.warning ? "Not ready to hand in: " : "Hand in ",
+        state.warning ? "Not ready to hand in: " : state.taken ? "Handed in: " : "Hand in ",
         make("strong", {}, state.file),
         ` (packed at ${state.packed_at}): `,
         make("code", { class: "ag-path" }, state.path),

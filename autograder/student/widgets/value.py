@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from autograder.course.questions import Question
 from autograder.exchange.responses import Entry
 from autograder.kinds.mark import Mark
@@ -93,7 +91,7 @@ class ValueWidget(QuestionWidget):
         return reply
 
 
-def _assign(question: Question, value: Any) -> None:
+def _assign(question: Question, value: object) -> None:
     """Give the variable a typed value, so that the cells below can go on with it."""
     shell = running_shell()
     if shell is not None and value is not ...:

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import numbers
 import sys
-from typing import Any
 
 import numpy as np
 
-from autograder.exchange.messages import Message
+from autograder.exchange.messages import Message, Value
 from autograder.kinds.expression.inside.values import values_at
 from autograder.sandbox.inside.plain_data import Unusable, is_sympy, only_entry
 
@@ -34,7 +33,7 @@ def evaluate(response: object, probe: Message) -> Message:
     return {"values": np.array([_values(entry, points) for entry in entries])}
 
 
-def _entries(response: object) -> list[Any] | None:
+def _entries(response: object) -> list[Value] | None:
     """The entries of what sympy gives for one result or for several: a matrix, a set, a list."""
     if isinstance(response, list | tuple):
         return list(response)
@@ -50,7 +49,7 @@ def _entries(response: object) -> list[Any] | None:
     return None
 
 
-def _values(response: Any, points: dict[str, np.ndarray]) -> np.ndarray:
+def _values(response: Value, points: dict[str, np.ndarray]) -> np.ndarray:
     """The values of one expression, of shape (number of points,)."""
     count = len(next(iter(points.values())))
     if not is_sympy(response):
@@ -93,7 +92,7 @@ def _values(response: Any, points: dict[str, np.ndarray]) -> np.ndarray:
     return values
 
 
-def _evalf(expression: Any, symbols: list[object], values: list[float]) -> complex:
+def _evalf(expression: Value, symbols: list[object], values: list[float]) -> complex:
     """The slow way, for what NumPy has no function for."""
     number = expression.evalf(subs=dict(zip(symbols, values, strict=True)))
     try:

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import builtins
-from typing import Any
 
 from autograder.errors import UsageError
+from autograder.exchange.messages import Value
 from autograder.kinds.expression.question import Expression
 from autograder.kinds.typed import parse, value_of
 
@@ -60,7 +60,7 @@ def read_expression(question: Expression, text: str) -> object:
     functions |= {"arcsin": sp.asin, "arccos": sp.acos}
     tree = parse(text, functions)
 
-    def name(id: str) -> Any:
+    def name(id: str) -> Value:
         if id in symbols:
             return symbols[id]
         if id in constants:

@@ -7,9 +7,10 @@ tree itself is ten times faster. What is not in the tables here is left to ``lam
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import Any
 
 import numpy as np
+
+from autograder.exchange.messages import Value
 
 _FUNCTIONS: dict[str, Callable[..., object]] = {
     "Abs": np.abs,
@@ -36,7 +37,7 @@ class NotInTable(Exception):
     """Part of the expression is none of those that are known here."""
 
 
-def values_at(expression: Any, points: Mapping[str, Any]) -> object:
+def values_at(expression: Value, points: Mapping[str, Value]) -> object:
     """Evaluate the expression with each symbol, by its name, replaced by its array.
 
     Raises:
@@ -46,7 +47,7 @@ def values_at(expression: Any, points: Mapping[str, Any]) -> object:
 
     left = _MAX_NODES
 
-    def visit(node: Any) -> Any:
+    def visit(node: Value) -> Value:
         nonlocal left
         left -= 1
         if left < 0:

@@ -7,9 +7,10 @@ fixed number of draws is usually enough. The count tells.
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
 
 import numpy as np
+
+from autograder.exchange.messages import Value
 
 
 class CountedDraws(np.random.Generator):
@@ -23,7 +24,7 @@ class CountedDraws(np.random.Generator):
 def _counted(name: str) -> Callable[..., object]:
     method = getattr(np.random.Generator, name)
 
-    def draw(self: CountedDraws, *args: Any, **kwargs: Any) -> Any:
+    def draw(self: CountedDraws, *args: Value, **kwargs: Value) -> Value:
         before = self.drawn
         numbers = method(self, *args, **kwargs)
         # `shuffle` returns nothing and changes its argument; `permutation` calls `shuffle`.

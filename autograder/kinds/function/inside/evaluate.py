@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from types import GeneratorType
-from typing import Any
 
 import numpy as np
 
-from autograder.exchange.messages import Message
+from autograder.exchange.messages import Message, Value
 from autograder.kinds.function.inside.counted_draws import CountedDraws
 from autograder.sandbox.inside.exceptions import tell
 from autograder.sandbox.inside.plain_data import Unusable, public_name, to_plain
@@ -54,7 +53,7 @@ def evaluate(response: object, probe: Message) -> Message:
     return {"outcomes": outcomes, **({"told": told} if told and probe.get("tell") else {})}
 
 
-def _argument(value: object) -> Any:
+def _argument(value: object) -> Value:
     """A fresh copy of an argument, so that changing it in place cannot reach the next case."""
     if isinstance(value, np.ndarray):
         return value.copy()
@@ -67,7 +66,7 @@ def _argument(value: object) -> Any:
     return value
 
 
-def _same(given: Any, sent: Any) -> bool:
+def _same(given: Value, sent: Value) -> bool:
     """Whether an argument is still what was sent; a generator may have been used."""
     if isinstance(sent, np.ndarray):
         # Compared as bytes: NaN is equal to itself, and a zero that lost its sign is not.

@@ -1,0 +1,167 @@
+"""A drop folder: two students as users of their own, an instructor, and what `collect` makes of it.
+
+The students are numeric ids without accounts, which a process of root may take on.
+"""
+
+from __future__ import annotations
+
+import csv
+import os
+import shutil
+import zipfile
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from autograder.cli import main
+from autograder.errors import AutograderError, UsageError
+from autograder.intake.drop_folder import collect
+from autograder.student.drop import drop
+
+ADA, BOB, STUDENTS, STAFF = 64001, 64002, 64100, 64200
+MB = 2**20
+as_root = pytest.mark.skipif(
+    not hasattr(os, "geteuid") or os.geteuid() != 0,
+    reason="only root can act as two students",
+)
+
+
+def as_user(user: int, action: Callable[[], object]) -> str:
+    """What an action says as a user of the students' group only, or which error it meets."""
+    here, there = os.pipe()
+    process = os.fork()
+    if process == 0:
+        try:
+            os.setgroups([])
+            os.setgid(STUDENTS)
+            os.setuid(user)
+            said = str(action())
+        except (OSError, AutograderError) as error:
+            said = f"{type(error).__name__}: {error}"
+        finally:
+            os.write(there, said.encode())
+            os._exit(0)
+    os.close(there)
+    with open(here, "rb") as pipe:
+        said = pipe.read().decode()
+    os.waitpid(process, 0)
+    return said
+
+
+@pytest.fixture
+def open_to_all(tmp_path: Path) -> Path:
+    """A folder that every user reaches, with the drop folder of an instructor in it."""
+    for folder in (tmp_path, *tmp_path.parents[:2]):
+        folder.chmod(folder.stat().st_mode | 0o011)
+    taking = tmp_path / "drop"
+    taking.mkdir()
+    os.chown(taking, 0, STAFF)
+    taking.chmod(0o3773)
+    return tmp_path
+
+
+def packed(folder: Path, name: str, content: str) -> Path:
+    path = folder / name
+    with zipfile.ZipFile(path, "w") as archive:
+        archive.writestr("1_garden.ipynb", content)
+    path.chmod(0o644)
+    return path
+
+
+def hand_in(user: int, path: Path, folder: Path) -> str:
+    return as_user(user, lambda: drop(path, folder))
+
+
+@as_root
+def test_no_student_reads_lists_or_deletes_what_another_handed_in(open_to_all: Path):
+    work = packed(open_to_all, "work.zip", "mine")
+    taking = open_to_all / "drop"
+    kept = Path(hand_in(ADA, work, taking))
+    assert kept.name.startswith(f"user-{ADA}_")
+    found = kept.stat()
+    assert (found.st_uid, found.st_gid, oct(found.st_mode & 0o777)) == (ADA, STAFF, "0o640")
+    attempts: dict[str, Callable[[], object]] = {
+        "read": kept.read_bytes,
+        "list": lambda: os.listdir(taking),
+        "delete": kept.unlink,
+        "rename": lambda: kept.rename(taking / "mine.zip"),
+        "write": lambda: kept.write_bytes(b""),
+    }
+    for what, attempt in attempts.items():
+        assert as_user(BOB, attempt).startswith("PermissionError"), what
+    assert kept.read_bytes() == work.read_bytes()
+
+
+@as_root
+@pytest.mark.parametrize(
+    ("mode", "group", "said"),
+    [
+        (0o1777, STAFF, "set-group-id bit is missing"),
+        (0o3777, STUDENTS, "a group without students"),
+        (0o2773, STAFF, "sticky bit is missing"),
+        (0o3750, STAFF, "did not take your work"),
+    ],
+)
+def test_a_folder_that_protects_nobody_gets_nothing(
+    open_to_all: Path, mode: int, group: int, said: str
+):
+    taking = open_to_all / "drop"
+    os.chown(taking, 0, group)
+    taking.chmod(mode)
+    answer = hand_in(ADA, packed(open_to_all, "work.zip", "mine"), taking)
+    assert said in answer
+    assert "nothing was handed in" in answer
+    assert list(taking.iterdir()) == []
+
+
+@as_root
+def test_the_newest_of_each_is_taken_with_its_time(
+    open_to_all: Path, capsys: pytest.CaptureFixture[str]
+):
+    taking, out = open_to_all / "drop", open_to_all / "class"
+    hand_in(ADA, packed(open_to_all, "a.zip", "first"), taking)
+    hand_in(BOB, packed(open_to_all, "b.zip", "other"), taking)
+    last = Path(hand_in(ADA, packed(open_to_all, "a.zip", "second"), taking))
+    assert main(["collect", str(taking), "--out", str(out)]) == 0
+    assert "2 students, 1 earlier files passed over, 0 not taken" in capsys.readouterr().out
+    assert {path.name for path in out.iterdir()} == {
+        f"user-{ADA}.zip",
+        f"user-{BOB}.zip",
+        "times.csv",
+    }
+    assert (out / f"user-{ADA}.zip").read_bytes() == last.read_bytes()
+    rows = dict(csv.reader((out / "times.csv").open(encoding="utf-8")))
+    assert rows[f"user-{ADA}.zip"].endswith("+00:00")
+
+
+@as_root
+def test_neither_a_name_nor_a_time_can_be_forged(open_to_all: Path):
+    taking = open_to_all / "drop"
+    kept = Path(hand_in(ADA, packed(open_to_all, "a.zip", "mine"), taking))
+    before = collect(taking, MB).newest[0].time
+    as_user(ADA, lambda: os.utime(kept, (0, 0)))
+    assert kept.stat().st_mtime == 0
+    as_user(ADA, lambda: shutil.copy(kept, taking / f"user-{BOB}_1_2.zip"))
+    as_user(BOB, lambda: os.symlink(kept, taking / f"user-{BOB}_3_4.zip"))
+    as_user(BOB, lambda: os.mkfifo(taking / f"user-{BOB}_5_6.zip"))
+    found = collect(taking, MB)
+    assert [entry.login for entry in found.newest] == [f"user-{ADA}"]
+    assert found.newest[0].time >= before
+    assert [reason.partition(": ")[2][:20] for reason in found.left] == [
+        "it is called user-64",
+        "it is a link",
+        "it is not a file",
+    ]
+
+
+def test_a_file_that_is_too_large_is_left_and_said(tmp_path: Path):
+    (tmp_path / "ada_1_2.zip").write_bytes(b"x" * 2 * MB)
+    found = collect(tmp_path, MB, trust_names=True)
+    assert found.newest == ()
+    assert "larger than 1 MB" in found.left[0]
+
+
+def test_a_folder_that_is_not_there_is_wrong_usage(tmp_path: Path):
+    with pytest.raises(UsageError, match="cannot be read"):
+        collect(tmp_path / "none", MB)
