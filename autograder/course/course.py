@@ -19,6 +19,7 @@ from autograder.errors import CourseError, UsageError
 from autograder.kinds.registry import load_kind
 from autograder.kinds.strict import Place, Table, read_table
 from autograder.kinds.variables import Variables, read_variables
+from autograder.language import use
 
 QUESTIONS = Path("notebooks/questions")
 ANSWERS = Path("solutions/answers")
@@ -310,6 +311,7 @@ def load_course(root: Path | None = None) -> Course:
         raise CourseError(f"There is no course in {root}: it has no folder {QUESTIONS}.")
     root = root.resolve()
     settings = read_settings(root)
+    use(settings.language)
     for package in settings.kinds:
         load_kind(package, root)
     chapters = []

@@ -52,6 +52,7 @@ class WrittenSettings(Settings, frozen=True, kw_only=True):
     kinds: tuple[str, ...] = ()  # packages of the kinds of question that it brings along
     variants: Literal["sheet", "student"] = "sheet"
     others_numbers: Literal["count", "nothing"] = "count"
+    language: Literal["", "de", "en"] = ""  # of the sentences that are not the course's own
 
     @property
     def limits(self) -> Settings:

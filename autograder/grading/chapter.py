@@ -18,6 +18,7 @@ from autograder.intake.submissions import Contents
 from autograder.kinds.drawn import Drawn
 from autograder.kinds.mark import NO_VALUE
 from autograder.kinds.registry import kind_of
+from autograder.language import _
 from autograder.marking import Mark, not_attempted, stopped
 from autograder.marking.marker import Marker
 from autograder.sandbox.launcher import Sandbox, Session, Stopped
@@ -135,7 +136,7 @@ def _mark_without_asking(question: Question, work: _Work, ran: _Ran, marker: Mar
     if work.unreadable is not None:
         return stopped(question, "unreadable", work.unreadable)
     if work.is_missing and question.id not in work.typed:
-        return not_attempted(question, "Its notebook was not handed in.")
+        return not_attempted(question, _("Its notebook was not handed in."))
     if ran.failure is not None:
         return stopped(question, ran.failure.status, _notebook_stopped(ran.failure))
     return not_attempted(question) if is_choice else None

@@ -13,6 +13,7 @@ from autograder.kinds.drawn import Drawn
 from autograder.kinds.exercise import Exercise, heading
 from autograder.kinds.kind import A, Kind, Q
 from autograder.kinds.mark import Mark, not_attempted
+from autograder.language import _
 
 FEWEST_MISTAKES = 2
 
@@ -52,9 +53,11 @@ class CodeKind(Kind[Q, A]):
         if state == "not attempted":
             return not_attempted(question)
         if state == "unusable" and reason == "missing":
-            return not_attempted(question, f"Nothing called {question.name} was found.")
+            return not_attempted(
+                question, _("Nothing called {name} was found.").format(name=question.name)
+            )
         if state == "raised":
-            feedback = f"Evaluating {question.name} raised an exception."
+            feedback = _("Evaluating {name} raised an exception.").format(name=question.name)
             return Mark(question.id, "error", 0.0, question.points, feedback)
         if state == "given":
             mark = self.mark_given(question, answer, drawn, response, understood)

@@ -9,12 +9,13 @@ import msgspec
 
 from autograder.kinds.question import Question
 from autograder.kinds.status import Status
+from autograder.language import N_, _
 
 STATUSES = tuple(str(status) for status in Status)
 
 # Said once of a question, whatever came and on however many hidden inputs: which exception it was,
 # and where, could carry a hidden input to the page of feedback.
-NO_VALUE = (
+NO_VALUE = N_(
     "On at least one of these it gives nothing that can be compared: it raises an exception, "
     "changes its input, or returns something of another kind."
 )
@@ -97,20 +98,21 @@ def status_for(credit: float) -> str:
     return "right" if credit == 1 else "partial" if credit > 0 else "wrong"
 
 
-def not_attempted(question: Question, feedback: str = "Nothing was answered yet.") -> Mark:
+def not_attempted(question: Question, feedback: str = "") -> Mark:
     """The mark of an untouched question."""
+    feedback = feedback or _("Nothing was answered yet.")
     return Mark(question.id, "not attempted", 0.0, question.points, feedback)
 
 
 _STOPPED = {
-    "error": "Running it raised an exception.",
-    "timeout": "It took longer than the time limit; look for a loop that never ends.",
-    "killed": "The process that ran it ended: too much memory, a crash, or an exit.",
-    "unreadable": "The submission could not be opened.",
-    "recorded": "Recorded. It will be marked after you hand in.",
+    "error": N_("Running it raised an exception."),
+    "timeout": N_("It took longer than the time limit; look for a loop that never ends."),
+    "killed": N_("The process that ran it ended: too much memory, a crash, or an exit."),
+    "unreadable": N_("The submission could not be opened."),
+    "recorded": N_("Recorded. It will be marked after you hand in."),
 }
 
 
 def stopped(question: Question, status: str, feedback: str = "") -> Mark:
     """The mark of a question that could not be marked, with its reason."""
-    return Mark(question.id, status, 0.0, question.points, feedback or _STOPPED[status])
+    return Mark(question.id, status, 0.0, question.points, feedback or _(_STOPPED[status]))

@@ -5,19 +5,21 @@ from __future__ import annotations
 from enum import StrEnum
 from typing import NamedTuple
 
+from autograder.language import N_, _
+
 
 class Status(StrEnum):
     """How the marking of a response ended."""
 
-    RIGHT = "right"
-    PARTIAL = "partial"
-    WRONG = "wrong"
-    NOT_ATTEMPTED = "not attempted"
-    ERROR = "error"  # the student's code raised
-    TIMEOUT = "timeout"
-    KILLED = "killed"  # memory, a crash, an exit
-    UNREADABLE = "unreadable"  # the submission could not be opened
-    RECORDED = "recorded"  # no key here to mark it with, or a person will
+    RIGHT = N_("right")
+    PARTIAL = N_("partial")
+    WRONG = N_("wrong")
+    NOT_ATTEMPTED = N_("not attempted")
+    ERROR = N_("error")  # the student's code raised
+    TIMEOUT = N_("timeout")
+    KILLED = N_("killed")  # memory, a crash, an exit
+    UNREADABLE = N_("unreadable")  # the submission could not be opened
+    RECORDED = N_("recorded")  # no key here to mark it with, or a person will
 
     @property
     def sign(self) -> str:
@@ -27,7 +29,12 @@ class Status(StrEnum):
     @property
     def words(self) -> str:
         """What a student reads."""
-        return _LOOKS[self].words
+        return _(_LOOKS[self].words)
+
+    @property
+    def plain(self) -> str:
+        """Its name in the language that is spoken."""
+        return _(self.value)
 
     @property
     def color(self) -> str:
@@ -42,13 +49,13 @@ class _Look(NamedTuple):
 
 
 _LOOKS = {
-    Status.RIGHT: _Look("✓", "Right", "green"),
-    Status.PARTIAL: _Look("◐", "Partly right", "yellow"),
-    Status.WRONG: _Look("✗", "Not right yet", "red"),
-    Status.NOT_ATTEMPTED: _Look("○", "Not attempted", "dim"),
-    Status.ERROR: _Look("E", "Stopped by an exception", "red"),
-    Status.TIMEOUT: _Look("T", "Took too long", "red"),
-    Status.KILLED: _Look("K", "Ended before it answered", "red"),
-    Status.UNREADABLE: _Look("?", "Could not be opened", "red"),
-    Status.RECORDED: _Look("●", "Not marked yet", "default"),
+    Status.RIGHT: _Look("✓", N_("Right"), "green"),
+    Status.PARTIAL: _Look("◐", N_("Partly right"), "yellow"),
+    Status.WRONG: _Look("✗", N_("Not right yet"), "red"),
+    Status.NOT_ATTEMPTED: _Look("○", N_("Not attempted"), "dim"),
+    Status.ERROR: _Look("E", N_("Stopped by an exception"), "red"),
+    Status.TIMEOUT: _Look("T", N_("Took too long"), "red"),
+    Status.KILLED: _Look("K", N_("Ended before it answered"), "red"),
+    Status.UNREADABLE: _Look("?", N_("Could not be opened"), "red"),
+    Status.RECORDED: _Look("●", N_("Not marked yet"), "default"),
 }

@@ -19,6 +19,7 @@ from autograder.errors import AutograderError
 from autograder.exchange import wire
 from autograder.exchange.identity import VARIANTS
 from autograder.exchange.messages import Message
+from autograder.language import follow_environment
 from autograder.marking.marker import Marker
 
 
@@ -27,6 +28,7 @@ def main() -> None:
     requests, replies = sys.stdin.buffer, os.fdopen(os.dup(1), "wb")
     # A reference that prints must not disturb the channel.
     os.dup2(2, 1)
+    follow_environment()
     variants = json.loads(os.environ.get(VARIANTS, "{}"))
     marker = Marker(load_course().with_variants(variants), seed=secrets.randbits(32))
 

@@ -12,7 +12,7 @@ from pathlib import Path, PurePosixPath
 
 from autograder.course import ANSWERS, QUESTIONS, Course
 
-_ENGINE = frozenset({".py", ".js", ".mjs", ".css", ".json"})
+_ENGINE = frozenset({".py", ".js", ".mjs", ".css", ".json", ".po"})
 _CACHES = frozenset({"__pycache__", ".ipynb_checkpoints", "node_modules"})
 _STUDENTS = frozenset({"responses", "submission.zip"})
 _NOT_COPIED = frozenset({"source", "questions", "snapshots"})  # folders with rules of their own

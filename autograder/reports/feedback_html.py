@@ -10,6 +10,7 @@ from autograder.gradebook.record import Override, Record
 from autograder.kinds.mark import status_for
 from autograder.kinds.registry import kind_of
 from autograder.kinds.status import Status
+from autograder.language import _, chosen, n_
 from autograder.marking import Mark, Part
 from autograder.reports.machine import most_for
 from autograder.reports.markdown import inline, isolated, markdown, text
@@ -35,22 +36,30 @@ def feedback_html(shared: Feedback, record: Record) -> str:
     course = shared.course
     most = most_for(course, record)
     share = record.total / most if most else 0.0
-    so_far = " so far" if record.open else ""
     header = [
-        f"<h1>Feedback for {isolated(record.name)}</h1>",
-        f'<p class="total"><strong>{record.total:g}</strong> of {most:g} points{so_far}</p>',
-        bar(share, f"{100 * share:.0f} percent of the points"),
+        f"<h1>{_('Feedback for {name}').format(name=isolated(record.name))}</h1>",
+        f'<p class="total">{_total(record, most)}</p>',
+        bar(share, _("{percent} percent of the points").format(percent=f"{100 * share:.0f}")),
     ]
     if record.open:
         waiting = ", ".join(map(text, record.open))
-        header.append(f"<p>Not marked yet, a person will do it: {waiting}.</p>")
+        said = _("Not marked yet, a person will do it: {questions}.").format(questions=waiting)
+        header.append(f"<p>{said}</p>")
     header += _after_the_exam(course, record)
     if record.late_days:
-        days = "1 day" if record.late_days == 1 else f"{record.late_days} days"
-        header.append(
-            f"<p>Handed in {days} late: {record.late_percent:g} % of the {record.earned:g} points "
-            f"earned, that is {record.deduction:g}, are taken off.</p>"
+        said = n_(
+            "Handed in {count} day late: {percent} % of the {points} points earned, that is "
+            "{deduction}, are taken off.",
+            "Handed in {count} days late: {percent} % of the {points} points earned, that is "
+            "{deduction}, are taken off.",
+            record.late_days,
+        ).format(
+            count=record.late_days,
+            percent=f"{record.late_percent:g}",
+            points=f"{record.earned:g}",
+            deduction=f"{record.deduction:g}",
         )
+        header.append(f"<p>{said}</p>")
     for note in record.graded.notes:
         header.append(f'<p class="soft">{text(note)}</p>')
     header.append(_index(course, record))
@@ -60,10 +69,18 @@ def feedback_html(shared: Feedback, record: Record) -> str:
         + "\n</section>"
         for chapter in course.chapters
     ]
-    footer = "<p>Questions about a mark? Name its question and say what you meant.</p>"
+    asked = _("Questions about a mark? Name its question and say what you meant.")
+    footer = f"<p>{asked}</p>"
     if record.isolation.startswith("none"):
-        footer += f"<p>Your code was run with this isolation: {text(record.isolation)}.</p>"
-    return page(f"Feedback for {record.name}", "\n".join(header), "\n".join(chapters), footer)
+        said = _("Your code was run with this isolation: {isolation}.")
+        footer += f"<p>{said.format(isolation=text(record.isolation))}</p>"
+    title = _("Feedback for {name}").format(name=record.name)
+    return page(title, "\n".join(header), "\n".join(chapters), footer, language=chosen())
+
+
+def _total(record: Record, most: float) -> str:
+    said = _("{earned} of {most} points so far") if record.open else _("{earned} of {most} points")
+    return said.format(earned=f"<strong>{record.total:g}</strong>", most=f"{most:g}")
 
 
 def _after_the_exam(course: Course, record: Record) -> list[str]:
@@ -76,16 +93,20 @@ def _after_the_exam(course: Course, record: Record) -> list[str]:
             f"{text(chapter.title)} {scheme.weights.get(chapter.name, 0):g}"
             for chapter in course.chapters
         )
-        lines.append(f"<p>The chapters count for so many points: {weights}.</p>")
+        said = _("The chapters count for so many points: {weights}.").format(weights=weights)
+        lines.append(f"<p>{said}</p>")
     if scheme.curve is not None:
         raw = replace(record, scheme=replace(scheme, curve=None)).earned
-        lines.append(
-            f"<p>The points were adjusted for everybody: {raw:g} became {record.earned:g}.</p>"
-        )
+        said = _("The points were adjusted for everybody: {before} became {after}.")
+        lines.append(f"<p>{said.format(before=f'{raw:g}', after=f'{record.earned:g}')}</p>")
     if record.attempts and scheme.resubmission != "newest":
         past = ", ".join(f"{attempt.total:g}" for attempt in record.past())
-        rule = "best" if scheme.resubmission == "best" else "mean"
-        lines.append(f"<p>The {rule} of your attempts counts; earlier ones: {past} points.</p>")
+        said = (
+            _("The best of your attempts counts; earlier ones: {points} points.")
+            if scheme.resubmission == "best"
+            else _("The mean of your attempts counts; earlier ones: {points} points.")
+        )
+        lines.append(f"<p>{said.format(points=past)}</p>")
     return lines
 
 
@@ -101,7 +122,7 @@ def _index(course: Course, record: Record) -> str:
             f'<span aria-hidden="true">{Status(status).sign}</span> {text(question.id)} '
             f'<span class="soft">{points}/{question.points:g}</span></a></li>'
         )
-    return f'<nav aria-label="Questions"><ul class="index">{"".join(entries)}</ul></nav>'
+    return f'<nav aria-label="{_("Questions")}"><ul class="index">{"".join(entries)}</ul></nav>'
 
 
 def _question(shared: Feedback, record: Record, question: Question) -> str:
@@ -109,51 +130,57 @@ def _question(shared: Feedback, record: Record, question: Question) -> str:
     override = record.overrides.get(question.id)
     status = _verdict(record, question, mark.status if mark else "not attempted")
     points = _points(record, question)
-    unit = "point" if question.points == 1 else "points"
+    of = n_("{earned} of {most} point", "{earned} of {most} points", question.points)
+    earned = of.format(earned=points, most=f"{question.points:g}")
     lines = [
         f'<article class="{_class(status)}" id="{_anchor(question)}">',
         f'<div class="head"><h3>{text(question.id)} · {inline(question.title)}</h3>'
-        f'<span class="points">{points} of {question.points:g} {unit}</span></div>',
+        f'<span class="points">{earned}</span></div>',
         f'<p class="verdict"><span aria-hidden="true">{Status(status).sign}</span> '
         f"{Status(status).words}</p>",
     ]
     if record.scheme is not None and (counts := record.scheme.remark(question.id, record)):
         lines.append(f'<p class="byhand">{text(counts)}</p>')
     if record.open_reason(question.id):
-        lines.append("<p>A person will mark this.</p>")
+        lines.append(f"<p>{_('A person will mark this.')}</p>")
     elif override is not None:
         lines.append(_override(override, mark))
     if mark is None:
-        lines.append("<p>This question was not marked.</p>")
+        lines.append(f"<p>{_('This question was not marked.')}</p>")
     else:
         lines += _understood(question, mark)
         if mark.status != "recorded":
             lines.append(_feedback(mark))
         if mark.told:
-            lines.append(f'<p class="label">It raised</p><p class="said">{text(mark.told)}</p>')
+            label = _("It raised")
+            lines.append(f'<p class="label">{label}</p><p class="said">{text(mark.told)}</p>')
         lines += _parts(question, mark)
         if mark.code:
             lines.append(_code(mark.code))
         lines.append(shared.pictures.html(question.id, mark, record.inputs_seed))
         if shared.explanations and mark.full_explanation:
             why = markdown(mark.full_explanation)
-            lines.append(f'<div class="explained"><h4>Why</h4>{why}</div>')
+            lines.append(f'<div class="explained"><h4>{_("Why")}</h4>{why}</div>')
     return "\n".join(line for line in [*lines, "</article>"] if line)
 
 
 def _code(code: str) -> str:
     """The cell that holds the response, folded, with the lines' numbers that exceptions name."""
     rows = "".join(f"<li>{text(line) or ' '}</li>" for line in code.splitlines())
-    return f'<details><summary>Your code</summary><ol class="code">{rows}</ol></details>'
+    label = _("Your code")
+    return f'<details><summary>{label}</summary><ol class="code">{rows}</ol></details>'
 
 
 def _override(override: Override, mark: Mark | None) -> str:
-    grader = f" The grader gave {mark.points:g}." if mark and mark.status != "recorded" else ""
+    grader = ""
+    if mark and mark.status != "recorded":
+        grader = " " + _("The grader gave {points}.").format(points=f"{mark.points:g}")
+    given = _("Marked by hand: {points} points.").format(points=f"{override.points or 0:g}")
     levels = "".join(
         f"<li>{text(criterion)}: {text(level)}</li>" for criterion, level in override.levels.items()
     )
     return (
-        f'<div class="byhand"><p><strong>Marked by hand: {override.points or 0:g} points.</strong> '
+        f'<div class="byhand"><p><strong>{given}</strong> '
         f"{text(override.reason)}{grader}</p>{f'<ul>{levels}</ul>' if levels else ''}</div>"
     )
 
@@ -175,18 +202,18 @@ def _verdict(record: Record, question: Question, status: str) -> str:
 def _understood(question: Question, mark: Mark) -> list[str]:
     if not mark.understood or mark.status == "not attempted":
         return []
-    label = '<p class="label">Your response was read as</p>'
+    label = f'<p class="label">{_("Your response was read as")}</p>'
     read_as = kind_of(question).read_as(question, mark)
     if read_as is not None:
         return [label, f"<ol>{''.join(f'<li>{inline(line)}</li>' for line in read_as)}</ol>"]
     if kind_of(question).by_hand:
         said = f'<div class="said prose">{markdown(mark.understood)}</div>'
-        return ['<p class="label">Your answer</p>', said]
+        return [f'<p class="label">{_("Your answer")}</p>', said]
     return [label, f'<p class="said">{text(mark.understood)}</p>']
 
 
 def _feedback(mark: Mark) -> str:
-    if mark.status == "right" and mark.feedback == "Right.":
+    if mark.status == "right" and mark.feedback in ("Right.", _("Right.")):
         return ""  # the verdict says so
     if mark.status in ("right", "partial", "wrong"):
         return markdown(mark.feedback)
@@ -215,9 +242,9 @@ def _parts(question: Question, mark: Mark) -> list[str]:
 
 def _part(part: Part) -> str:
     sign = (
-        '<span aria-hidden="true">✓</span> right:'
+        f'<span aria-hidden="true">✓</span> {_("right:")}'
         if part.right
-        else ('<span aria-hidden="true">✗</span> not yet:')
+        else f'<span aria-hidden="true">✗</span> {_("not yet:")}'
     )
     return f"<li>{sign} {text(part.label)}{text(part.feedback)}</li>"
 

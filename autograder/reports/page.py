@@ -15,14 +15,20 @@ POLICY = f"default-src 'none'; style-src 'sha256-{_DIGEST}'; base-uri 'none'; fo
 
 
 def page(
-    title: str, header: str, main: str, footer: str, wide: bool = False, forms: bool = False
+    title: str,
+    header: str,
+    main: str,
+    footer: str,
+    wide: bool = False,
+    forms: bool = False,
+    language: str = "en",
 ) -> str:
     """A whole document; all but the title are HTML. It may send ``forms`` to where it is from."""
     policy = POLICY.replace("form-action 'none'", "form-action 'self'") if forms else POLICY
     # Without any referrer a browser says that a form's origin is "null", which the server refuses.
     referrer = "same-origin" if forms else "no-referrer"
     return (
-        '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
+        f'<!DOCTYPE html>\n<html lang="{language}">\n<head>\n<meta charset="utf-8">\n'
         f'<meta http-equiv="Content-Security-Policy" content="{policy}">\n'
         '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
         f'<meta name="referrer" content="{referrer}">\n'

@@ -10,6 +10,7 @@ from pathlib import Path
 from autograder.course import Course, load_course
 from autograder.errors import AutograderError, UsageError
 from autograder.kinds.registry import kind_of
+from autograder.language import follow_environment
 from autograder.student import unsaved
 from autograder.student.course_path import course_of_notebook, put_course_first
 from autograder.student.desk import Desk
@@ -41,6 +42,7 @@ NO_COPY = (
 
 put_course_first()
 unsaved.watch()
+follow_environment()
 
 
 @lru_cache(maxsize=1)

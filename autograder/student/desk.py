@@ -13,6 +13,7 @@ from autograder.course.questions import Question
 from autograder.exchange.responses import Entry
 from autograder.kinds.mark import Mark, not_attempted, stopped
 from autograder.kinds.registry import kind_of
+from autograder.language import _
 from autograder.sandbox.inside.evaluate import describe, evaluate
 from autograder.student.frontend import running_shell
 from autograder.student.marker_client import marker_for
@@ -53,10 +54,12 @@ class Desk:
         if not self.student:
             if not varies:
                 return ""
-            return "These are the sheet's numbers: say who you are, and you have your own."
+            return _("These are the sheet's numbers: say who you are, and you have your own.")
         if varies:
-            return f"Answered by {self.student}, whose own numbers these are."
-        return f"Answered by {self.student}."
+            said = _("Answered by {name}, whose own numbers these are.")
+        else:
+            said = _("Answered by {name}.")
+        return said.format(name=self.student)
 
     def mend(self) -> list[str]:
         """Put right what is damaged or missing, and say what was done.

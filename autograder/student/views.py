@@ -8,6 +8,7 @@ from autograder.course.questions import Question
 from autograder.kinds.mark import Mark
 from autograder.kinds.registry import kind_of
 from autograder.kinds.status import Status
+from autograder.language import _, n_
 from autograder.student.receipts import RECEIPT, receipt
 from autograder.student.responses import answered, points
 from autograder.student.submission import Packed
@@ -18,9 +19,15 @@ def number(value: float) -> str:
     return f"{value:.2f}".rstrip("0").rstrip(".")
 
 
-def plural(count: float, noun: str) -> str:
+def points_of(earned: float, most: float) -> str:
+    """``1 of 1 point``, ``1 of 2 points``."""
+    said = n_("{earned} of {most} point", "{earned} of {most} points", most)
+    return said.format(earned=number(earned), most=number(most))
+
+
+def in_points(count: float) -> str:
     """``1 point``, ``2 points``."""
-    return f"{number(count)} {noun}" + ("" if count == 1 else "s")
+    return n_("{count} point", "{count} points", count).format(count=number(count))
 
 
 class _View:
@@ -48,7 +55,8 @@ class _View:
 
     def __repr__(self) -> str:
         text = "\n".join(self.lines()).replace("**", "")
-        text = text.replace("<details><summary>Explanation</summary>\n", "Explanation:")
+        word = _("Explanation")
+        text = text.replace(f"<details><summary>{word}</summary>\n", f"{word}:")
         return text.replace("\n\n</details>", "")
 
 
@@ -63,7 +71,7 @@ class QuestionView(_View):
     def lines(self) -> list[str]:
         question = self.question
         lines = [
-            f"**{question.id} · {question.title}** · {plural(question.points, 'point')}",
+            f"**{question.id} · {question.title}** · {in_points(question.points)}",
             "",
             question.prompt,
             "",
@@ -86,8 +94,10 @@ class IdentityView(_View):
     def lines(self) -> list[str]:
         call = '`me("Ada Lovelace")`'
         if self.student:
-            return [f"You are **{self.student}**. To be somebody else, run {call} with that name."]
-        return [f"You have not said who you are. To say it, run {call} with your own name."]
+            said = _("You are **{name}**. To be somebody else, run {call} with that name.")
+            return [said.format(name=self.student, call=call)]
+        said = _("You have not said who you are. To say it, run {call} with your own name.")
+        return [said.format(call=call)]
 
 
 class PredictionView(_View):
@@ -99,13 +109,15 @@ class PredictionView(_View):
 
     def lines(self) -> list[str]:
         prediction = self.prediction
-        lines = [f"**{prediction.id} · Predict**", "", prediction.prompt, ""]
+        lines = [f"**{prediction.id} · {_('Predict')}**", "", prediction.prompt, ""]
         if self.value is not None:
-            return [*lines, f"You predicted: {prediction.in_words(self.value)}"]
+            said = _("You predicted: {value}").format(value=prediction.in_words(self.value))
+            return [*lines, said]
         lines += [f"{n}. {text}" for n, text in enumerate(prediction.choices, 1)]
         example = "1" if prediction.choices else "NUMBER"
         call = f'`predict("{prediction.id}", {example})`'
-        return [*lines, *[""] * bool(prediction.choices), f"Not predicted. To predict, run {call}."]
+        said = _("Not predicted. To predict, run {call}.").format(call=call)
+        return [*lines, *[""] * bool(prediction.choices), said]
 
     def receipt(self) -> dict[str, object] | None:
         return None if self.value is None else receipt(self.prediction.id, self.value)
@@ -121,20 +133,22 @@ class MarkView(_View):
 
     def lines(self) -> list[str]:
         mark = self.mark
-        sign = Status(mark.status).sign
+        status = Status(mark.status)
         earned = (
-            ""
-            if mark.status == "recorded"
-            else f" · {number(mark.points)} of {plural(mark.max_points, 'point')}"
+            "" if mark.status == "recorded" else f" · {points_of(mark.points, mark.max_points)}"
         )
-        lines = [f"**{sign} {mark.question} {mark.status}**{earned}", "", mark.feedback]
+        lines = [
+            f"**{status.sign} {mark.question} {status.plain}**{earned}",
+            "",
+            mark.feedback,
+        ]
         wrong = [part for part in mark.parts if part.feedback and part.right is not True]
         if kind_of(self.question).parts_stand_alone:
             lines += ["", *(f"- {part.label}: {part.feedback}" for part in wrong)] if wrong else []
         if mark.full_explanation and mark.status in ("right", "partial", "wrong"):
             lines += [
                 "",
-                "<details><summary>Explanation</summary>",
+                f"<details><summary>{_('Explanation')}</summary>",
                 "",
                 mark.full_explanation,
                 "",
@@ -156,7 +170,7 @@ class ProgressView(_View):
         self.entries = entries
 
     def lines(self) -> list[str]:
-        lines = ["| chapter | answered | points |", "|:--|--:|--:|"]
+        lines = [f"| {_('chapter')} | {_('answered')} | {_('points')} |", "|:--|--:|--:|"]
         total, most = 0.0, 0.0
         for chapter in self.course.chapters:
             entries = self.entries[chapter.name]
@@ -164,16 +178,20 @@ class ProgressView(_View):
             possible = sum(question.points for question in chapter.questions)
             count = sum(answered(entries.get(question.id)) for question in chapter.questions)
             lines.append(
-                f"| {chapter.title} | {count} of {len(chapter.questions)} "
-                f"| {number(earned)} of {number(possible)} |"
+                f"| {chapter.title} | {_some(number(count), number(len(chapter.questions)))} "
+                f"| {_some(number(earned), number(possible))} |"
             )
             total, most = total + earned, most + possible
-        return [*lines, f"| **together** | | **{number(total)} of {number(most)}** |"]
+        return [*lines, f"| **{_('together')}** | | **{_some(number(total), number(most))}** |"]
 
     def __repr__(self) -> str:
         rows = [line.strip("| ").replace("**", "").split("|") for line in self.lines()]
         cells = [[cell.strip() for cell in row] for row in rows if not row[0].startswith(":")]
         return "\n".join(f"{row[0]:<24}{row[1]:>10}{row[2]:>14}" for row in cells)
+
+
+def _some(count: str, all: str) -> str:
+    return _("{some} of {all}").format(some=count, all=all)
 
 
 class SubmissionView(_View):
@@ -201,21 +219,25 @@ class SubmissionView(_View):
 
     def lines(self) -> list[str]:
         notebooks = [name for name in self.packed.names if name.endswith(".ipynb")]
-        held = (
-            f"**{self.packed.path.name}** holds {plural(len(notebooks), 'notebook')} "
-            f"({', '.join(notebooks)}) and your responses, as last saved."
-        )
+        held = n_(
+            "**{file}** holds {count} notebook ({names}) and your responses, as last saved.",
+            "**{file}** holds {count} notebooks ({names}) and your responses, as last saved.",
+            len(notebooks),
+        ).format(file=self.packed.path.name, count=len(notebooks), names=", ".join(notebooks))
         if self.warning:
-            lines = [f"**Not ready to hand in:** {self.warning}", "", held, ""]
+            lines = [f"**{_('Not ready to hand in:')}** {self.warning}", "", held, ""]
         else:
-            lines = [held if self.taken else f"{held} Hand in this file.", ""]
+            hand_in = "" if self.taken else f" {_('Hand in this file.')}"
+            lines = [held + hand_in, ""]
         if self.advice:
             lines += [self.advice, ""]
         if not self.unanswered:
-            return [*lines, f"All {self.count} questions are answered."]
+            return [*lines, _("All {count} questions are answered.").format(count=self.count)]
         ids = ", ".join(question.id for question in self.unanswered)
         return [
             *lines,
-            f"Unanswered or not checked: {len(self.unanswered)} of {self.count} ({ids}). "
-            "You can still answer them and call `submit()` again.",
+            _(
+                "Unanswered or not checked: {count} of {all} ({questions}). "
+                "You can still answer them and call `submit()` again."
+            ).format(count=len(self.unanswered), all=self.count, questions=ids),
         ]

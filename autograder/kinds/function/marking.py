@@ -20,6 +20,7 @@ from autograder.kinds.function.hints import hint
 from autograder.kinds.function.question import Function
 from autograder.kinds.function.shown import shown_outcome
 from autograder.kinds.mark import NO_VALUE, Mark, Part, status_for
+from autograder.language import _
 from autograder.marking.diagnosis.relations import Diagnosis
 
 Outcome = dict[str, object]
@@ -86,7 +87,7 @@ def mark_function(
     shown = shown_outcome(expected.cases, outcomes) if answer.picture else None
     known: dict[str, Value] = {"parts": parts, "explanation": answer.explanation, "shown": shown}
     if all(verdicts):
-        feedback = f"Right on all {len(kinds)} kinds of input."
+        feedback = _("Right on all {count} kinds of input.").format(count=len(kinds))
         return Mark(question.id, "right", 1.0, question.points, feedback, "right", **known)
     for mistake, behaviour in expected.mistakes:
         if behaves_like(expected, behaviour, outcomes, verdicts):
@@ -107,21 +108,23 @@ def mark_function(
         lambda i, outcome: agrees(
             expected.compare, expected.cases[i], expected.outcomes[i], outcome
         ),
-        max((mistake.credit for mistake, _ in expected.mistakes), default=1.0),
+        max((mistake.credit for mistake in answer.alternatives), default=1.0),
     )
     failing = [f"{part.label}{part.feedback}" for part in parts if not part.right]
-    feedback = (
-        f"Right on {right} of {len(parts)} kinds of input. Not yet on: " + "; ".join(failing) + "."
+    feedback = _("Right on {right} of {count} kinds of input. Not yet on: {failing}.").format(
+        right=right, count=len(parts), failing="; ".join(failing)
     )
     if not tells and any(
         not isinstance(outcome, dict) or "value" not in outcome or "changed" in outcome
         for outcome, verdict in zip(outcomes, verdicts, strict=True)
         if not verdict
     ):
-        feedback = f"{feedback} {NO_VALUE}"
+        feedback = f"{feedback} {_(NO_VALUE)}"
     if all(isinstance(outcome, dict) and "raised" in outcome for outcome in outcomes):
-        name = _known_error(outcomes[0]["raised"]) if tells else "an exception"
-        feedback = f"It raises {name} on every input. Try it on a small example first."
+        name = _known_error(outcomes[0]["raised"]) if tells else _("an exception")
+        feedback = _("It raises {name} on every input. Try it on a small example first.").format(
+            name=name
+        )
         return Mark(question.id, "error", 0.0, question.points, feedback, **known)
     diagnosed = None
     try:
@@ -134,7 +137,7 @@ def mark_function(
     elif (seen := _smallest_seen(answer, expected, verdicts, tells)) is not None:
         with suppress(Exception):  # what cannot be shown need not be
             example = hint(question, expected.cases[seen], expected.outcomes[seen], outcomes[seen])
-            feedback = f"{feedback} For example: {example}"
+            feedback = f"{feedback} {_('For example:')} {example}"
     if found is None:
         with suppress(Exception):  # anything may be in it
             known["evidence"] = fingerprint(outcomes)
@@ -309,17 +312,18 @@ def _what_happened(outcomes: Sequence[object], indices: Sequence[int]) -> str:
     for index in indices:
         outcome = outcomes[index]
         if isinstance(outcome, dict) and "raised" in outcome:
-            return f" (it raises {_known_error(outcome['raised'])})"
+            said = _("it raises {name}").format(name=_known_error(outcome["raised"]))
+            return f" ({said})"
         if isinstance(outcome, dict) and "unusable" in outcome:
             reason = outcome["unusable"]
             known = isinstance(reason, str) and reason in REASONS
             return f" ({REASONS[reason if known else 'not plain']})"
         if isinstance(outcome, dict) and "changed" in outcome:
-            return " (it changes its input in place; work on a copy)"
+            return f" ({_('it changes its input in place; work on a copy')})"
     return ""
 
 
 def _known_error(name: Value) -> str:
     """Only names that Python itself defines are repeated: any other could carry a hidden input."""
     known = isinstance(name, str) and (hasattr(builtins, name) or name == "LinAlgError")
-    return name if known else "an exception"
+    return name if known else _("an exception")

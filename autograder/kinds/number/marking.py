@@ -10,6 +10,7 @@ from autograder.kinds.mark import Mark, status_for
 from autograder.kinds.number.answer import NumberAlternative, NumberAnswer
 from autograder.kinds.number.diagnosis import diagnose_number
 from autograder.kinds.number.question import Number
+from autograder.language import _
 
 
 def mark_number(
@@ -37,14 +38,14 @@ def mark_number(
                 status_for(alternative.credit),
                 alternative.credit,
                 question.points,
-                alternative.feedback or "Right.",
+                alternative.feedback or _("Right."),
                 alternative=alternative.name,
                 **known,
             )
     if question.integer and value != round(value):
-        feedback = "A whole number is asked for. Decide whether to round up or down, and why."
+        feedback = _("A whole number is asked for. Decide whether to round up or down, and why.")
     else:
-        feedback = (
+        feedback = _(
             "That is not the value asked for. A hint may help: look at what each symbol counts."
         )
     name = None

@@ -14,6 +14,7 @@ from autograder.kinds.order.answer import OrderAnswer
 from autograder.kinds.order.diagnosis import diagnose_order
 from autograder.kinds.order.question import Order
 from autograder.kinds.order.response import chosen
+from autograder.language import _, n_
 
 
 def is_right(order: Sequence[str], answer: OrderAnswer) -> bool:
@@ -30,10 +31,14 @@ def mark_order(question: Order, answer: OrderAnswer, response: object) -> Mark:
     """
     cards = chosen(question, response)
     if cards is None:
-        return stopped(question, "unreadable", "The stored response does not name every card once.")
+        return stopped(
+            question, "unreadable", _("The stored response does not name every card once.")
+        )
     order = tuple(cards)
     if order == question.start:
-        return not_attempted(question, "The cards are still in the order in which they were dealt.")
+        return not_attempted(
+            question, _("The cards are still in the order in which they were dealt.")
+        )
     after = transitive_closure(answer.before)
     # Cards with the same text are interchangeable: read them in the way that is best for the
     # student.
@@ -45,7 +50,7 @@ def mark_order(question: Order, answer: OrderAnswer, response: object) -> Mark:
     credit = max(0.0, 1 - 2 * moves / len(order))
     mistake = diagnosed = None
     if moves == 0:
-        feedback = "Every step comes after the steps it needs."
+        feedback = _("Every step comes after the steps it needs.")
     else:
         mistake = next(
             (
@@ -63,7 +68,9 @@ def mark_order(question: Order, answer: OrderAnswer, response: object) -> Mark:
         # What the author says about two cards explains no more than that one of them is astray.
         if mistake is None or (moves > 1 and found is not None):
             diagnosed = found
-        feedback = f"{moves} card{'s' if moves > 1 else ''} would have to move."
+        feedback = n_(
+            "{count} card would have to move.", "{count} cards would have to move.", moves
+        ).format(count=moves)
         feedback += f" {diagnosed.sentence}" if diagnosed else ""
         feedback += (
             f" {mistake.feedback}" if mistake else " " + _first_conflict(question, order, after)
@@ -81,9 +88,9 @@ def mark_order(question: Order, answer: OrderAnswer, response: object) -> Mark:
         feedback,
         alternative="right" if moves == 0 else named.name if named else None,
         parts=tuple(
-            Part(f"Card {n}", False, "", _where(card, answer, texts))
+            Part(_("Card {number}").format(number=n), False, "", _where(card, answer, texts))
             if card in astray
-            else Part(f"Card {n}", True, "")
+            else Part(_("Card {number}").format(number=n), True, "")
             for n, card in enumerate(order, 1)
         ),
         explanation=explanation,
@@ -167,12 +174,16 @@ def _where(card: str, answer: OrderAnswer, texts: dict[str, str]) -> str:
     """Between which cards a card belongs."""
     earlier = {f"“{texts[first]}”": None for first, second in answer.before if second == card}
     later = {f"“{texts[second]}”": None for first, second in answer.before if first == card}
-    places = [
-        f"{word} {' and '.join(cards)}"
-        for word, cards in (("after", earlier), ("before", later))
-        if cards
-    ]
-    return f"“{texts[card]}” comes {' and '.join(places)}." if places else ""
+    both = f" {_('and')} "
+    if earlier and later:
+        said = _("“{card}” comes after {earlier} and before {later}.")
+    elif earlier:
+        said = _("“{card}” comes after {earlier}.")
+    elif later:
+        said = _("“{card}” comes before {later}.")
+    else:
+        return ""
+    return said.format(card=texts[card], earlier=both.join(earlier), later=both.join(later))
 
 
 def _first_conflict(question: Order, order: Sequence[str], after: dict[str, set[str]]) -> str:
@@ -180,8 +191,8 @@ def _first_conflict(question: Order, order: Sequence[str], after: dict[str, set[
     for position, later in enumerate(order):
         for earlier in order[:position]:
             if earlier in after.get(later, ()):
-                return (
-                    f"“{texts[earlier]}” stands before “{texts[later]}”. "
+                return _(
+                    "“{first}” stands before “{second}”. "
                     "Ask which of the two needs the other's result."
-                )
+                ).format(first=texts[earlier], second=texts[later])
     return ""

@@ -12,6 +12,7 @@ from autograder.kinds.mark import Mark, not_attempted
 from autograder.kinds.text import question as asked
 from autograder.kinds.text.answer import TextAnswer, check_text
 from autograder.kinds.text.question import Text
+from autograder.language import _
 
 if TYPE_CHECKING:
     from autograder.kinds.text.widget import TextWidget
@@ -60,7 +61,7 @@ class TextKind(ChoiceKind[Text, TextAnswer]):
             "recorded",
             0.0,
             question.points,
-            "Kept. A person will mark it.",
+            _("Kept. A person will mark it."),
             explanation=answer.explanation,
             understood=shown,
         )

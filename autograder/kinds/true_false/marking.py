@@ -6,6 +6,7 @@ from autograder.kinds.mark import Mark, Part, not_attempted, status_for, stopped
 from autograder.kinds.true_false.answer import TrueFalseAnswer
 from autograder.kinds.true_false.question import TrueFalse
 from autograder.kinds.true_false.response import chosen
+from autograder.language import _, n_
 
 
 def mark_true_false(question: TrueFalse, answer: TrueFalseAnswer, response: object) -> Mark:
@@ -18,27 +19,33 @@ def mark_true_false(question: TrueFalse, answer: TrueFalseAnswer, response: obje
         return stopped(
             question,
             "unreadable",
-            f"The stored response is not a list of {len(question.statements)} true or false.",
+            _("The stored response is not a list of {count} true or false.").format(
+                count=len(question.statements)
+            ),
         )
     if all(said is None for said in choices):
         return not_attempted(question)
     parts = []
     for number, (said, key) in enumerate(zip(choices, answer.statements, strict=True), 1):
         verdict, feedback = (
-            (None, "Not answered yet.")
+            (None, _("Not answered yet."))
             if said is None
             else (True, "")
             if said == key.truth
             else (False, key.misconception)
         )
-        explanation = f"{'True' if key.truth else 'False'}. {key.explanation}"
-        parts.append(Part(f"Statement {number}", verdict, feedback, explanation))
+        explanation = f"{_('True') if key.truth else _('False')}. {key.explanation}"
+        label = _("Statement {number}").format(number=number)
+        parts.append(Part(label, verdict, feedback, explanation))
     right = sum(part.right is True for part in parts)
     credit = right / len(parts)
-    feedback = f"{right} of {len(parts)} statements right."
-    wrong = [part.label for part in parts if part.right is False]
+    feedback = _("{right} of {count} statements right.").format(right=right, count=len(parts))
+    wrong = [f"{number}" for number, part in enumerate(parts, 1) if part.right is False]
     if wrong:
-        feedback += " Look again at " + ", ".join(label.lower() for label in wrong) + "."
+        again = n_(
+            "Look again at statement {numbers}.", "Look again at statements {numbers}.", len(wrong)
+        )
+        feedback += " " + again.format(numbers=", ".join(wrong))
     return Mark(
         question.id,
         status_for(credit),

@@ -13,6 +13,7 @@ from autograder.exchange.messages import Message
 
 MOST_MESSAGE = 300
 _CELLS = ("<ipython-input", "ipykernel")
+_TOP = ("<module>", "<cell line")  # IPython 7 calls a cell's own code by its first line
 
 
 def tell(error: BaseException) -> Message:
@@ -41,7 +42,7 @@ def after_import(code: str, error: BaseException) -> str | None:
     lines = [
         frame.lineno
         for frame in traceback.extract_tb(error.__traceback__)
-        if frame.name == "<module>" and any(name in frame.filename for name in _CELLS)
+        if frame.name.startswith(_TOP) and any(name in frame.filename for name in _CELLS)
     ]
     try:
         statements = ast.parse(code).body

@@ -86,7 +86,7 @@ function drawMark(place, mark) {
     make(
       "p",
       { class: "ag-verdict" },
-      make("strong", {}, `${mark.sign} ${mark.status}`),
+      make("strong", {}, `${mark.sign} ${mark.said}`),
       mark.points ? ` · ${mark.points}` : "",
     ),
     make("p", { class: "ag-feedback", html: mark.feedback }),

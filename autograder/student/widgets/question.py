@@ -10,12 +10,13 @@ from autograder.exchange.responses import Entry
 from autograder.kinds.mark import Mark
 from autograder.kinds.registry import kind_of
 from autograder.kinds.status import Status
+from autograder.language import _, n_
 from autograder.reports.markdown import inline, markdown
 from autograder.student.desk import Desk, hints_open
 from autograder.student.frontend import in_vscode
 from autograder.student.receipts import RECEIPT, receipt
 from autograder.student.responses import attempts
-from autograder.student.views import number, plural
+from autograder.student.views import points_of
 from autograder.student.widgets.base import CourseWidget, escaped
 
 
@@ -46,7 +47,9 @@ class QuestionWidget(CourseWidget):
         count = attempts(entry)
         return {
             "response": entry.get("response"),
-            "attempts": f"{count} attempt{'' if count == 1 else 's'}" if count else "",
+            "attempts": n_("{count} attempt", "{count} attempts", count).format(count=count)
+            if count
+            else "",
             "hints": hints_open(entry),
             "mark": self.mark_on_show(entry),
             "refusal": self._refusal,
@@ -60,6 +63,7 @@ class QuestionWidget(CourseWidget):
         earned = "" if mark.status == "recorded" else _earned(mark)
         return {
             "status": mark.status,
+            "said": Status(mark.status).plain,
             "sign": Status(mark.status).sign,
             "points": earned,
             "feedback": inline(mark.feedback),
@@ -86,10 +90,13 @@ class QuestionWidget(CourseWidget):
 
     def receipt(self) -> dict[str, object] | None:
         response = self.desk.entry(self.question).get("response")
-        words = f"Kept for {self.question.id}: {self.words(response)}"
+        words = _("Kept for {question}: {response}").format(
+            question=self.question.id, response=self.words(response)
+        )
         if in_vscode():  # where the widget may be an error: this line is there nevertheless
             line = kind_of(self.question).respond_line(self.question, response)
-            words += f" If there is nothing to click, answer in a cell: {line}"
+            said = _("If there is nothing to click, answer in a cell: {line}")
+            words += f" {said.format(line=line)}"
         bundle: dict[str, object] = {
             "text/plain": words,
             # Hidden while the widget itself is drawn.
@@ -101,7 +108,7 @@ class QuestionWidget(CourseWidget):
 
     def words(self, response: object) -> str:
         """The response for people to read."""
-        return "nothing yet." if response is None else str(response)
+        return _("nothing yet.") if response is None else str(response)
 
     def remark(self, mark: Callable[[], Mark]) -> None:
         """Run ``mark`` and show its result; a broken key is no reason not to show the question."""
@@ -115,4 +122,4 @@ _EXPLAINED = ("right", "partial", "wrong")
 
 
 def _earned(mark: Mark) -> str:
-    return f"{number(mark.points)} of {plural(mark.max_points, 'point')}"
+    return points_of(mark.points, mark.max_points)

@@ -1,0 +1,174 @@
+"""Sentences in other languages: every one is translated, and what is filled in stays filled in."""
+
+from __future__ import annotations
+
+import ast
+import gettext
+import io
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from autograder import language
+from autograder.course import load_course
+from autograder.errors import CourseError
+from autograder.gradebook import Record
+from autograder.kinds.mark import not_attempted
+from autograder.kinds.status import Status
+from autograder.language import _, n_
+from autograder.language.catalog import as_mo, read_po
+from autograder.marking import Mark
+from autograder.reports.feedback_html import Feedback, feedback_html
+from autograder.reports.pictures import Pictures
+from autograder.student.views import MarkView, QuestionView
+from tests.classroom import graded, make_course
+
+ENGINE = Path(language.__file__).parents[1]
+CATALOGS = sorted((ENGINE / "language").glob("*.po"))
+FIELD = re.compile(r"\{(\w+)\}")
+
+
+@pytest.fixture(autouse=True)
+def _english_again(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+    monkeypatch.delenv("LANGUAGE", raising=False)
+    language.follow_environment()
+    yield
+    language.use("")
+    monkeypatch.delenv("LANGUAGE", raising=False)
+    language.follow_environment()
+
+
+def sentences() -> dict[str, tuple[str, ...]]:
+    """The sentences of the engine that are marked for translation, by where they stand."""
+    found = {}
+    for path in sorted(ENGINE.rglob("*.py")):
+        if "template" in path.parts:
+            continue
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if not isinstance(node, ast.Call) or not isinstance(node.func, ast.Name):
+                continue
+            count = {"_": 1, "N_": 1, "n_": 2}.get(node.func.id)
+            texts = [a.value for a in node.args[:count] if isinstance(a, ast.Constant)]
+            if count and texts:
+                where = f"{path.relative_to(ENGINE)}:{node.lineno}:{node.col_offset}"
+                assert len(texts) == count, where
+                found[where] = tuple(map(str, texts))
+    return found
+
+
+SENTENCES = sentences()
+
+
+@pytest.mark.parametrize("path", CATALOGS, ids=lambda path: path.stem)
+def test_every_sentence_is_translated_and_keeps_its_fields(path: Path):
+    catalog = read_po(path.read_text(encoding="utf-8"))
+    missing = [
+        f"{where}: {texts[0]}"
+        for where, texts in SENTENCES.items()
+        if "\0".join(texts) not in catalog
+    ]
+    assert missing == []
+    for key, translated in catalog.items():
+        for text in translated.split("\0") if key else ():
+            wanted = set(FIELD.findall(key))
+            assert set(FIELD.findall(text)) <= wanted, key
+            assert set(FIELD.findall(text)) == wanted or "\0" in key, key
+
+
+@pytest.mark.parametrize("path", CATALOGS, ids=lambda path: path.stem)
+def test_no_translation_is_left_of_a_sentence_that_is_gone(path: Path):
+    known = {"", *("\0".join(texts) for texts in SENTENCES.values())}
+    assert set(read_po(path.read_text(encoding="utf-8"))) - known == set()
+
+
+def test_what_students_read_is_marked_for_translation():
+    """In the modules that only students' pages use, no sentence stands bare."""
+    bare = []
+    for name in ("reports/feedback_html.py", "student/views.py"):
+        tree = ast.parse((ENGINE / name).read_text(encoding="utf-8"))
+        marked = {
+            id(part)
+            for node in ast.walk(tree)
+            if isinstance(node, ast.Call)
+            and isinstance(node.func, ast.Name)
+            and node.func.id in ("_", "n_", "N_")
+            for part in ast.walk(node)
+        }
+        docs = {
+            id(node.body[0].value)
+            for node in ast.walk(tree)
+            if isinstance(node, ast.Module | ast.ClassDef | ast.FunctionDef)
+            and isinstance(node.body[0], ast.Expr)
+        }
+        bare += [
+            node.value
+            for node in ast.walk(tree)
+            if isinstance(node, ast.Constant)
+            and isinstance(node.value, str)
+            and id(node) not in marked | docs
+            and node.value not in tuple(Status)
+            and re.search(r"(?<![\w\"=<-])[A-Za-z]{3,} [a-z]{2,}(?![^<]*>)", node.value)
+        ]
+    assert bare == []
+
+
+def test_a_catalog_reads_as_the_standard_library_reads_it():
+    text = (
+        'msgid ""\nmsgstr "Content-Type: text/plain; charset=UTF-8\\n"\n'
+        '"Plural-Forms: nplurals=2; plural=(n != 1);\\n"\n'
+        '# a remark\nmsgid "a \\"tree\\"\\n"\n"in two lines"\nmsgstr "ein Baum"\n'
+        'msgid "{n} tree"\nmsgid_plural "{n} trees"\nmsgstr[0] "{n} Baum"\nmsgstr[1] "{n} Bäume"\n'
+        'msgid "open"\nmsgstr ""\n'
+    )
+    read = gettext.GNUTranslations(io.BytesIO(as_mo(read_po(text))))
+    assert read.gettext('a "tree"\nin two lines') == "ein Baum"
+    assert read.ngettext("{n} tree", "{n} trees", 1) == "{n} Baum"
+    assert read.ngettext("{n} tree", "{n} trees", 3) == "{n} Bäume"
+    assert read.gettext("open") == "open"
+    with pytest.raises(ValueError, match="line 1"):
+        read_po('msgctx "x"')
+
+
+def test_the_course_says_which_language_and_a_notebook_follows_the_person(
+    monkeypatch: pytest.MonkeyPatch,
+):
+    assert _("Right") == "Right"
+    monkeypatch.setenv("LANGUAGE", "xx:de_CH.UTF-8:en")
+    assert _("Right") == "Right"  # grading does not look there
+    language.follow_environment()
+    assert _("Right") == "Richtig"
+    assert n_("{count} point", "{count} points", 1) == "{count} Punkt"
+    assert n_("{count} point", "{count} points", 0.5) == "{count} Punkte"
+    language.use("en")
+    assert _("Right") == "Right"
+
+
+def test_a_course_in_german_marks_and_returns_feedback_in_german(tmp_path: Path):
+    make_course(tmp_path)
+    with (tmp_path / "pyproject.toml").open("a") as file:
+        file.write('[tool.autograder]\nlanguage = "de"\n')
+    course = load_course(tmp_path)
+    first, second = list(course.questions.values())[:2]
+    marks = (not_attempted(first), Mark(second.id, "right", 1.0, 2.0, _("Right.")))
+    html = feedback_html(
+        Feedback(course, Pictures(course)), Record(graded("ada", *marks), 1, 1, late_days=2)
+    )
+    assert '<html lang="de">' in html
+    assert "Rückmeldung für" in html
+    assert "2 von 2 Punkten" in html
+    assert "2 Tage zu spät" in html
+    assert "Noch nichts beantwortet." in html
+    assert "Richtig." not in html  # the verdict says so
+    view = repr(MarkView(second, marks[1], None))
+    assert view.startswith("✓ Q2 richtig · 2 von 2 Punkten")
+    assert "2 Punkte" in repr(QuestionView(second))
+
+
+def test_an_unknown_language_is_refused(tmp_path: Path):
+    make_course(tmp_path)
+    with (tmp_path / "pyproject.toml").open("a") as file:
+        file.write('[tool.autograder]\nlanguage = "tlh"\n')
+    with pytest.raises(CourseError, match="language"):
+        load_course(tmp_path)
