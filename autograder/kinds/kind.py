@@ -172,8 +172,16 @@ class Kind(ABC, Generic[Q, A]):
         """How a marked response was read, as lines of Markdown; None: as one text."""
         return None
 
-    def known_mistakes(self, question: Q, mark: Mark) -> list[str]:
-        """What is wrong in a marked response, by names that the key gives."""
+    def right_in_words(self, question: Q, answer: A) -> list[str]:
+        """What is right, for instructors to read, a line each."""
+        return [answer.code] if answer.code else []
+
+    def known_mistakes(self, question: Q, mark: Mark, drawn: Sequence[int] = ()) -> list[str]:
+        """What is wrong in a marked response, by names that the key gives.
+
+        ``drawn`` are the numbers of the entries that the student's question has, from 1, where it
+        draws some out of a bank.
+        """
         return [mark.alternative] if mark.alternative is not None else []
 
     def other_mistakes(self, question: Q, mark: Mark) -> list[str]:

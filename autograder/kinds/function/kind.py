@@ -76,6 +76,9 @@ class FunctionKind(CodeKind[Function, FunctionAnswer]):
     def picture(self, answer: FunctionAnswer) -> str | None:
         return answer.picture
 
+    def right_in_words(self, question: Function, answer: FunctionAnswer) -> list[str]:
+        return [answer.reference]
+
     def widget(
         self, desk: Desk, question: Function, value: object = ..., mark: Mark | None = None
     ) -> FunctionWidget:
