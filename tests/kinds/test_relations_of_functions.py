@@ -1,4 +1,4 @@
-"""Each relation between what a function should return and what it returns, by an example by hand."""
+"""Each relation between what a function should return and returns, by an example by hand."""
 
 from __future__ import annotations
 
@@ -133,7 +133,7 @@ def test_a_relation_that_fails_on_one_case_gives_no_such_name(name: str):
 @pytest.mark.parametrize(
     ("arguments", "right", "given", "name"),
     [
-        ([[[4.0, 7.0]], [[1.0, 5.0]]], [[0.5], [0.25]], [[4.0, 7.0], [1.0, 5.0]], "returns its input"),
+        ([[[4, 7]], [[1, 5]]], [[0.5], [0.25]], [[4.0, 7.0], [1.0, 5.0]], "returns its input"),
         ([[[1, 2, 3, 4]], [[2, 4, 6]]], [2.5, 4.0], [10.0, 12.0], "a sum for a mean"),
         ([[[1, 2, 3, 4]], [[2, 4, 6]]], [10.0, 12.0], [2.5, 4.0], "a mean for a sum"),
         ([[[1, 2, 3, 4]], [[2, 4, 6]]], [2.25, 8.0], [3.0, 12.0], "N - 1 for N"),
