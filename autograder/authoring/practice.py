@@ -58,7 +58,11 @@ def needed_modules(course: Course, chapters: Collection[str]) -> set[str]:
         name.partition(":")[0]
         for id, answer in course.key.items()
         if course.question(id).chapter in chapters
-        for name in kind_of(course.question(id)).code_names(answer)
+        for name in (
+            *kind_of(course.question(id)).code_names(answer),
+            kind_of(course.question(id)).picture(answer) or "",  # grading draws it
+        )
+        if name
     }
     needed: set[str] = set()
     while waiting:
