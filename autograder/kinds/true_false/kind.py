@@ -11,6 +11,7 @@ from autograder.kinds.true_false import response as given
 from autograder.kinds.true_false.answer import TrueFalseAnswer
 from autograder.kinds.true_false.marking import mark_true_false
 from autograder.kinds.true_false.question import TrueFalse
+from autograder.language import _
 
 if TYPE_CHECKING:
     from autograder.kinds.true_false.widget import TrueFalseWidget
@@ -65,15 +66,15 @@ class TrueFalseKind(ChoiceKind[TrueFalse, TrueFalseAnswer]):
         words = [word.strip() for word in mark.understood.split(",")]
         words += ["–"] * (len(question.statements) - len(words))
         return [
-            f"{statement} **{word}**"
+            f"{statement} **{_(word)}**"
             for statement, word in zip(question.statements, words, strict=False)
         ]
 
     def known_mistakes(self, question: TrueFalse, mark: Mark) -> list[str]:
         words = [word.strip() for word in mark.understood.split(",")]
         return [
-            f"{part.label.lower()} called {word}"
-            for part, word in zip(mark.parts, words, strict=False)
+            f"statement {number} called {word}"
+            for number, (part, word) in enumerate(zip(mark.parts, words, strict=False), 1)
             if part.right is False
         ]
 
