@@ -3,6 +3,7 @@
 ``ask`` shows a question, ``check`` marks a response, ``predict`` keeps a prediction, which
 ``predicted`` gives to a picture; ``progress`` sums up, ``submit`` packs what is handed in. Where
 students have numbers of their own, ``me`` says whose they are, and ``numbers`` gives them.
+``practise`` asks for more of the same.
 """
 
 from typing import TYPE_CHECKING
@@ -13,6 +14,7 @@ if TYPE_CHECKING:
         check,
         me,
         numbers,
+        practise,
         predict,
         predicted,
         progress,
@@ -20,7 +22,17 @@ if TYPE_CHECKING:
     )
 
 __version__ = "0.1.0"
-__all__ = ["ask", "check", "me", "numbers", "predict", "predicted", "progress", "submit"]
+__all__ = [
+    "ask",
+    "check",
+    "me",
+    "numbers",
+    "practise",
+    "predict",
+    "predicted",
+    "progress",
+    "submit",
+]
 
 
 def __getattr__(name: str) -> object:

@@ -170,7 +170,7 @@ def _start(master: Master) -> str:
     names = ["ask", "check", "progress", "submit"]
     if master.predictions:
         names[2:2] = ["predict", "predicted"]
-    names += [name for name in ("me", "numbers") if name in master.calls]
+    names += [name for name in ("me", "numbers", "practise") if name in master.calls]
     names.sort(key=__all__.index)
     return START.format(names=", ".join(names))
 

@@ -107,7 +107,8 @@ def _imported(course: Course) -> list[str]:
     for folder in ("notebooks", "data"):
         for path in (course.root / folder).rglob("*.py"):
             modules |= set(_imports(path))
-    found = {name for module in modules for name in packages_distributions().get(module, ())}
+    installed = packages_distributions()  # reads the metadata of everything that is installed
+    found = {name for module in modules for name in installed.get(module, ())}
     return sorted(name for name in found if distribution(name) != ENGINE)
 
 

@@ -70,9 +70,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         print(f"autograder: {error}", file=sys.stderr)
         return BROKEN
     except KeyboardInterrupt:
-        print(
-            "autograder: stopped. What was graded is kept; run it again to go on.", file=sys.stderr
-        )
+        print("autograder: stopped; run it again to go on.", file=sys.stderr)
         return INTERRUPTED
     except (OSError, MemoryError, RuntimeError) as error:
         if isinstance(error, BrokenPipeError):  # `autograder show ada | head`

@@ -29,6 +29,11 @@ def add(commands: Commands) -> None:
         help="a zip, a notebook, a folder of one student, or a folder of submissions",
     )
     grade.add_argument("--regrade", action="store_true", help="mark again what was marked before")
+    grade.add_argument(
+        "--summary",
+        choices=["github"],
+        help="in a workflow of GitHub: a summary of the job, and a remark at each notebook",
+    )
     add_layout(grade)
     add_grading(grade)
     grade.set_defaults(run=run)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import os
 import secrets
 import signal
 import threading
@@ -120,8 +121,10 @@ def grade_and_report(
     view = view_class(course, book, class_list, streamed=True)
     summary.missing = tuple(view.missing)
     book.set("intake", summary.sentence())
-    written = write_reports(course, book, Options(parsed.out, None, class_list), console)
+    written = write_reports(course, book, Options(parsed.out, None, class_list))
     ended = BROKEN if parsed.strict and summary.needs_person else DONE
+    if getattr(parsed, "summary", None) == "github":
+        _tell_github(console, course, summary, _records(view, tally))
     if parsed.json:
         records = _records(view, tally)
         print_json(
@@ -145,6 +148,35 @@ def grade_and_report(
     said = f" (read as {'; '.join(summary.rules)})" if summary.rules else ""
     console.print(f"{summary.sentence()}{said}; {written}.", soft_wrap=True, markup=False)
     return ended
+
+
+def _tell_github(
+    console: Console, course: Course, summary: Summary, records: Sequence[Record]
+) -> None:
+    """Add to the job's summary, and print the remarks that GitHub shows at the files."""
+    from autograder.reports import github
+
+    pieces = {row.submission.student: row.submission.pieces for row in summary.rows}
+    page = os.environ.get("GITHUB_STEP_SUMMARY")
+    for record in records:
+        paths = [piece.path for piece in pieces.get(record.student, ())]
+        notebooks = [
+            found
+            for path in paths
+            for found in (sorted(path.rglob("*.ipynb")) if path.is_dir() else [path])
+        ]
+        files = {
+            chapter.name: os.path.relpath(path)
+            for chapter in course.chapters
+            for path in notebooks
+            if chapter.name in path.stem
+        }
+        text = github.summary(course, record)
+        if page:
+            with open(page, "a", encoding="utf-8", newline="\n") as file:
+                file.write(text)
+        for line in github.remarks(course, record, files):
+            console.out(line, highlight=False)
 
 
 def _journal(
@@ -227,7 +259,7 @@ def _after_interruption(
         rows = (row for row in summary.rows if row.submission.student in students)
         book.set_lateness((row.submission.student, row.lateness()) for row in rows)
         options = Options(parsed.out, students, summary.class_list)
-        write_reports(course, book, options, console)
+        write_reports(course, book, options)
         kept = "their reports are written; run it again to go on"
     else:
         kept = "nothing was written"

@@ -39,7 +39,8 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
     notebooks = sum(path.suffix == ".ipynb" for path in bundle.files)
     size = sum((bundle.folder / path).stat().st_size for path in bundle.files) / 1e6
     console.print(
-        f"{bundle.folder} holds {notebooks} notebooks, {len(bundle.files)} files, {size:.1f} MB; "
+        f"{bundle.folder} holds {notebooks} {'notebook' if notebooks == 1 else 'notebooks'}, "
+        f"{len(bundle.files)} files, {size:.1f} MB; "
         "no answer was found in it.",
         markup=False,
         soft_wrap=True,

@@ -56,7 +56,8 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
     from autograder.gradebook import Gradebook
     from autograder.gradebook.record import names_of
     from autograder.gradebook.view import with_people
-    from autograder.intake.submissions import Unreadable, find_submissions, read_submission
+    from autograder.intake.find import find_submissions
+    from autograder.intake.submissions import Unreadable, read_submission
     from autograder.reports.files import write_csv
     from autograder.reports.similarity import fingerprints, handout_cells, similar_pairs
     from autograder.reports.terminal import printable, progress_bar

@@ -25,5 +25,8 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
 
     root = load(parsed).root
     print(f"Watching {root}. Stop with Ctrl-C.")
-    watch(root, print, once=parsed.once)
+    try:
+        watch(root, print, once=parsed.once)
+    except KeyboardInterrupt:  # as it says above
+        print("Stopped.")
     return DONE

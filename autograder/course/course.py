@@ -115,6 +115,13 @@ class Course:
         assert variables is not None
         return variables.numbers(self.variants.get(id, 0))
 
+    def entries_of(self, id: str, student: str) -> tuple[int, ...]:
+        """The entries of its bank that a student's question has, by their numbers from 1."""
+        written = self.varied.get(id)
+        if not self.personal or not student or written is None or written.variables is None:
+            return ()
+        return written.entries(written.variables.variant_of(written.chapter, student))
+
     def story(self, name: str) -> dict[str, int | float]:
         """The numbers of a story here, by their names.
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
-from autograder.course.draws import FIELD, drawn, read_draws
+from autograder.course.draws import DRAW, FIELD, drawn, read_draws
 from autograder.course.filling import fill
 from autograder.kinds.question import Question
 from autograder.kinds.registry import has_kind, kind_named, kind_names
@@ -49,6 +49,13 @@ class Written:
             listed = kind_named(self.table["kind"]).drawn_fields[0]
             filled = drawn(filled, listed, self.table[FIELD], numbers)
         return question_from_table(filled, self.chapter, self.text, self.position)
+
+    def entries(self, variant: int) -> tuple[int, ...]:
+        """The numbers of the entries that a variant draws from a bank, from 1; none elsewhere."""
+        draws = self.table.get(FIELD)
+        if self.variables is None or not isinstance(draws, list):
+            return ()
+        return tuple(draws[int(self.variables.numbers(variant)[DRAW])])
 
     def key(self, table: Table, variant: int) -> Table:
         """The table of its key with what belongs to a variant, where some entries are drawn.

@@ -126,12 +126,12 @@ class Gradebook:
                 db.execute("DELETE FROM mark WHERE student = ?", (graded.submission.student,))
             db.execute(
                 "INSERT INTO submission "
-                "(student, path, fingerprint, status, notes, run, seconds, origin, predictions) "
-                "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT (student) DO UPDATE "
+                "(student, path, fingerprint, status, notes, run, seconds, origin, predictions, "
+                "numbers_of) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT (student) DO UPDATE "
                 "SET path = excluded.path, fingerprint = excluded.fingerprint, "
                 "status = excluded.status, notes = excluded.notes, run = excluded.run, "
                 "seconds = excluded.seconds, origin = excluded.origin, "
-                "predictions = excluded.predictions",
+                "predictions = excluded.predictions, numbers_of = excluded.numbers_of",
                 (
                     graded.submission.student,
                     path_to_text(graded.submission.path),
@@ -142,6 +142,7 @@ class Gradebook:
                     graded.seconds,
                     json.dumps(graded.submission.origin.to_dict()),
                     json.dumps(dict(graded.predictions)),
+                    graded.numbers_of,
                 ),
             )
             db.executemany(
@@ -157,7 +158,7 @@ class Gradebook:
     ) -> Graded | None:
         """What was graded before: the same work, in the same run, with a mark for each question."""
         rows = self._rows(
-            "SELECT path, status, notes, seconds, origin, predictions FROM submission "
+            "SELECT path, status, notes, seconds, origin, predictions, numbers_of FROM submission "
             "WHERE student = ? AND fingerprint = ? AND run = ? AND status = 'graded'",
             (student, fingerprint, run.id),
         )
@@ -166,12 +167,13 @@ class Gradebook:
         )
         if not rows or not {question for (question,) in marked} >= set(questions):
             return None
-        path, status, notes, seconds, origin, predictions = rows[0]
+        path, status, notes, seconds, origin, predictions, numbers_of = rows[0]
         with readable_entries(self.path):
             marks = self._marks("WHERE student = ?", (student,))[student]
             submission = Submission(student, path_from_text(path), origin=_origin(origin))
             return Graded(
                 *(submission, status, fingerprint, marks, tuple(json.loads(notes)), seconds),
+                numbers_of=numbers_of,
                 predictions=json.loads(predictions),
             )
 
@@ -291,14 +293,15 @@ class Gradebook:
             attempts.setdefault(student, []).append(Attempt(past, *fields))
         rows = self._rows(
             "SELECT student, path, fingerprint, status, notes, submission.seconds, origin, run, "
-            "seed, handed_in, late_days, late_percent, isolation, course_version, predictions "
-            f"FROM submission JOIN run ON run.id = submission.run {chosen} ORDER BY student",
+            "seed, handed_in, late_days, late_percent, isolation, course_version, predictions, "
+            "numbers_of FROM submission JOIN run ON run.id = submission.run "
+            f"{chosen} ORDER BY student",
             names,
         )
         found, works = [], self._works_of([row[0] for row in rows])
         for student, path, fingerprint, status, odd, seconds, origin, run, seed, *rest in rows:
             number = set_number(student, fingerprint, works.get(student, ()))
-            handed_in, late_days, late_percent, isolation, version, predictions = rest
+            handed_in, late_days, late_percent, isolation, version, predictions, numbers_of = rest
             submission = Submission(student, path_from_text(path), origin=_origin(origin))
             notes_on_files = tuple(json.loads(odd))
             found.append(
@@ -306,6 +309,7 @@ class Gradebook:
                     Graded(
                         *(submission, status, fingerprint, marks.get(student, ())),
                         *(notes_on_files, seconds),
+                        numbers_of=numbers_of,
                         predictions=json.loads(predictions),
                     ),
                     run,

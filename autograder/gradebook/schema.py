@@ -95,6 +95,10 @@ CREATE TABLE attempt (             -- what a student had handed in before the su
 -- JSON: what the student predicted, by id
 ALTER TABLE submission ADD COLUMN predictions TEXT NOT NULL DEFAULT '{}';
 """,
+    """
+-- whose numbers it was marked by, empty where everybody has the sheet's
+ALTER TABLE submission ADD COLUMN numbers_of TEXT NOT NULL DEFAULT '';
+""",
 )
 SCHEMA_VERSION = len(_STEPS)
 

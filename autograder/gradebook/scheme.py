@@ -28,15 +28,16 @@ Lateness is taken off after all this, from each attempt by itself.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping, Sequence, Sized
 from dataclasses import dataclass, field
 from itertools import pairwise
 from statistics import fmean
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Protocol
+
+from autograder.grading.graded import Graded
 
 if TYPE_CHECKING:
     from autograder.course import Course
-    from autograder.gradebook.record import Record
 
 
 @dataclass(frozen=True)
@@ -51,6 +52,25 @@ class Curve:
         """The points after the curve, of at most ``most`` unless they were above before."""
         curved = _between(self.table, points) if self.table else points * self.factor + self.add
         return max(0.0, min(curved, max(most, points)))
+
+
+class Work(Protocol):
+    """What a scheme looks at of one student's work; `autograder.gradebook.record.Record` is one."""
+
+    @property
+    def student(self) -> str:
+        """The student's key."""
+
+    @property
+    def graded(self) -> Graded:
+        """How the submission was graded."""
+
+    @property
+    def overrides(self) -> Sized:
+        """What a person decided, if anything."""
+
+    def points(self, question: str) -> float | None:
+        """The points for a question; None while a person has to mark it."""
 
 
 @dataclass(frozen=True)
@@ -77,11 +97,11 @@ class Scheme:
             return round(sum(self.weights.values()), 2)
         return round(sum(self._possible(()).values()), 2)
 
-    def counts(self, question: str, record: Record) -> bool:
+    def counts(self, question: str, record: Work) -> bool:
         """Whether the question counts for this student."""
         return question not in self.dropped and question not in self.excused.get(record.student, {})
 
-    def points(self, question: str, raw: float | None, record: Record) -> float | None:
+    def points(self, question: str, raw: float | None, record: Work) -> float | None:
         """The points for a question: 0 for one that does not count, all for one that is given."""
         if question not in self.questions:
             return raw
@@ -91,7 +111,7 @@ class Scheme:
             return max(raw or 0.0, self.questions[question][1])
         return raw
 
-    def earned(self, record: Record) -> float:
+    def earned(self, record: Work) -> float:
         """The points earned on the scale of `most`, after the curve."""
         if record.graded.status == "unreadable" and not record.overrides:
             return 0.0
@@ -120,7 +140,7 @@ class Scheme:
             return max(totals)
         return round(fmean(totals), 2) if self.resubmission == "mean" else totals[-1]
 
-    def remark(self, question: str, record: Record) -> str:
+    def remark(self, question: str, record: Work) -> str:
         """What the student has to know of how the question counts; "" if it is as usual."""
         if question in self.dropped:
             return "This question was dropped: it counts for nobody."

@@ -83,6 +83,15 @@ def take_in(
     )
 
 
+def find_submissions(paths: Collection[Path], settings: Settings) -> Sequence[Submission]:
+    """The submissions at the given paths; `take_in` says more about them.
+
+    Raises:
+        UsageError: if a path does not exist, or if it is not clear what it is.
+    """
+    return take_in(paths, settings).submissions
+
+
 def _absolute(path: Path) -> Path:
     """The path from the root; a link in its last part stays one."""
     if path.name in ("", ".."):

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
 from datetime import datetime
 from pathlib import PurePosixPath
 from typing import Protocol
@@ -17,6 +16,7 @@ from typing import Protocol
 from autograder.course import Settings
 from autograder.errors import raise_if_short
 from autograder.intake.archive import Archive, archive_from_bytes, shown
+from autograder.intake.kept_files import Files, Kept, is_wanted
 from autograder.intake.names import moodle_name, rest_of
 from autograder.intake.notebook_reader import SUBMITTED, Unreadable
 from autograder.intake.origin import Piece
@@ -24,91 +24,8 @@ from autograder.intake.place import Place, is_notebook_name, place_of
 
 MAX_DEPTH = 8  # folders inside folders
 MAX_ZIPS = 3  # zips inside zips
-MAX_SIDECAR = 2**20
 _OTHER_ARCHIVES = (".rar", ".7z", ".tar", ".tgz", ".gz", ".bz2", ".xz", ".zipx")
 _OFFICE = (".docx", ".xlsx", ".pptx", ".odt", ".ods", ".jar", ".apk")
-_MOST_NOTES = 20
-
-
-@dataclass(frozen=True)
-class Kept:
-    """A file that is wanted; of two for one chapter the later ``order`` and ``time`` are newer."""
-
-    data: bytes
-    order: int = 0
-    time: datetime | None = None
-
-
-class Files:
-    """The wanted files by their path inside the submission, and what was odd about the others."""
-
-    def __init__(self, settings: Settings) -> None:
-        self.kept: dict[PurePosixPath, Kept] = {}
-        self.notes: list[str] = []
-        self.hint = ""
-        self._count_left = settings.submission_files
-        self._bytes_left = settings.submission_mb * 2**20
-        self.settings = settings
-
-    @property
-    def data(self) -> dict[PurePosixPath, bytes]:
-        """The bytes of each file."""
-        return {path: kept.data for path, kept in self.kept.items()}
-
-    def note(self, sentence: str) -> None:
-        """Say what was odd, unless so much was that nobody would read it."""
-        if sentence in self.notes:
-            return
-        if len(self.notes) == _MOST_NOTES:
-            self.notes.append("More files than these were passed over.")
-        if len(self.notes) < _MOST_NOTES:
-            self.notes.append(sentence)
-
-    def count(self) -> None:
-        """Take notice of one more entry.
-
-        Raises:
-            Unreadable: if there are too many.
-        """
-        self._count_left -= 1
-        if self._count_left < 0:
-            raise Unreadable(
-                f"It holds more than {self.settings.submission_files} files; "
-                "hand in only the notebooks and the folder responses."
-            )
-
-    def limit(self, path: PurePosixPath) -> int:
-        """How many bytes the file at ``path`` may have."""
-        is_sidecar = path.suffix == ".json" and not is_notebook_name(path.name)
-        return min(self._bytes_left, MAX_SIDECAR if is_sidecar else self._bytes_left)
-
-    def spend(self, size: int) -> None:
-        """Count bytes that were read, whether they are kept or not.
-
-        Raises:
-            Unreadable: if the submission as a whole is too large.
-        """
-        self._bytes_left -= size
-        if self._bytes_left < 0:
-            raise Unreadable(
-                f"It is larger than {self.settings.submission_mb} MB; "
-                "clear the notebooks' outputs and hand it in again."
-            )
-
-    def add(self, path: PurePosixPath, kept: Kept) -> None:
-        """Keep a file, unless it is over its cap.
-
-        Raises:
-            Unreadable: if the submission as a whole is too large.
-        """
-        too_long = len(kept.data) > self.limit(path)
-        self.spend(len(kept.data))
-        if too_long:
-            self.note(f"{shown(path.name)} is too large for saved responses; it was left out.")
-            return
-        while path in self.kept:  # of another piece
-            path = path.with_name(f"{path.stem}_{path.suffix}")
-        self.kept[path] = kept
 
 
 def read_files(pieces: Sequence[Piece], settings: Settings) -> Files:
@@ -149,15 +66,6 @@ def read_files(pieces: Sequence[Piece], settings: Settings) -> Files:
     for reason in reasons:
         files.note(reason)
     return files
-
-
-def is_wanted(path: PurePosixPath) -> bool:
-    """Whether the file is a notebook or a chapter's saved responses."""
-    if any(part.startswith((".", "__")) for part in path.parts):
-        return False  # .ipynb_checkpoints, __MACOSX
-    if is_notebook_name(path.name):
-        return True
-    return path.suffix == ".json" and path.parent.name == "responses"
 
 
 def _is_part(pieces: Sequence[Piece], name: str) -> bool:

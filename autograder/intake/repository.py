@@ -20,7 +20,7 @@ from pathlib import Path, PurePosixPath
 
 from autograder.exchange.messages import Message
 from autograder.intake import repository_reader
-from autograder.intake.handed_in import Files, Kept, is_wanted
+from autograder.intake.kept_files import Files, Kept, is_wanted
 from autograder.intake.notebook_reader import Unreadable
 from autograder.intake.origin import Piece
 from autograder.intake.place import DiskPlace, Place, place_of

@@ -18,8 +18,9 @@ from autograder.course import Settings
 from autograder.exchange.printable import JOINERS
 from autograder.exchange.responses import Entry, keep_response
 from autograder.intake.archive import shown
-from autograder.intake.handed_in import Files, Kept, read_files
+from autograder.intake.handed_in import read_files
 from autograder.intake.handout import Handout, is_filled_in_by
+from autograder.intake.kept_files import Files, Kept
 from autograder.intake.notebook_reader import (
     Notebook,
     Unreadable,
@@ -34,7 +35,6 @@ __all__ = [
     "Notebook",
     "Submission",
     "Unreadable",
-    "find_submissions",
     "read_submission",
 ]
 
@@ -81,17 +81,6 @@ class Contents:
     unreadable: dict[str, str] = field(default_factory=dict)
     notes: list[str] = field(default_factory=list)
     fingerprint: str = ""
-
-
-def find_submissions(paths: Collection[Path], settings: Settings) -> Sequence[Submission]:
-    """The submissions at the given paths; `autograder.intake.find.take_in` says more about them.
-
-    Raises:
-        UsageError: if a path does not exist, or if it is not clear what it is.
-    """
-    from autograder.intake.find import take_in
-
-    return take_in(paths, settings).submissions
 
 
 def student_name(name: str) -> str:

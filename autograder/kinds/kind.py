@@ -20,6 +20,7 @@ from autograder.kinds.drawn import Drawn
 from autograder.kinds.exercise import Exercise
 from autograder.kinds.mark import Mark
 from autograder.kinds.question import Question
+from autograder.kinds.reading import Reading
 from autograder.marking.mutants.mutant import Trial
 
 Q = TypeVar("Q", bound=Question)
@@ -52,6 +53,8 @@ class Kind(ABC, Generic[Q, A]):
     # How many right responses in other clothes prove the key, where a course has any.
     fewest_variants: ClassVar[int] = 0
     has_field: ClassVar[bool] = False  # whether a response may be typed into a field
+    # Whether it is practised by reading, which of some responses is right, and not by variants.
+    can_be_read: ClassVar[bool] = False
 
     # -- asked, and right ------------------------------------------------------------------------
 
@@ -169,8 +172,16 @@ class Kind(ABC, Generic[Q, A]):
         """How a marked response was read, as lines of Markdown; None: as one text."""
         return None
 
-    def known_mistakes(self, question: Q, mark: Mark) -> list[str]:
-        """What is wrong in a marked response, by names that the key gives."""
+    def right_in_words(self, question: Q, answer: A) -> list[str]:
+        """What is right, for instructors to read, a line each."""
+        return [answer.code] if answer.code else []
+
+    def known_mistakes(self, question: Q, mark: Mark, drawn: Sequence[int] = ()) -> list[str]:
+        """What is wrong in a marked response, by names that the key gives.
+
+        ``drawn`` are the numbers of the entries that the student's question has, from 1, where it
+        draws some out of a bank.
+        """
         return [mark.alternative] if mark.alternative is not None else []
 
     def other_mistakes(self, question: Q, mark: Mark) -> list[str]:
@@ -247,6 +258,27 @@ class Kind(ABC, Generic[Q, A]):
         It was written by the course's author: a function, or a text as a student types it.
         """
         return written
+
+    def reading(
+        self,
+        question: Q,
+        answer: A,
+        drawn: Drawn,
+        rng: np.random.Generator,
+        root: Path,
+        names: Sequence[str],
+    ) -> Reading | None:
+        """Functions to read for practice; None where there is nothing short enough.
+
+        Args:
+            question: what is asked.
+            answer: its key.
+            drawn: as for `mark`.
+            rng: the same draws give the same reading.
+            root: the course's.
+            names: what the questions of the course define, which a reader knows.
+        """
+        return None
 
     def promises(self, answer: A, root: Path, drawn: Drawn) -> list[tuple[str, list[str]]]:
         """What a prompt promises to raise, and the names of the cases that test it."""

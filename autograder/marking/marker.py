@@ -10,10 +10,14 @@ import threading
 from collections.abc import Collection
 from dataclasses import replace
 
+import numpy as np
+
 from autograder.course import Course
 from autograder.course.questions import Question
+from autograder.errors import UsageError
 from autograder.kinds.answer import Answer
 from autograder.kinds.drawn import Drawn
+from autograder.kinds.reading import Reading
 from autograder.kinds.registry import kind_of
 from autograder.marking import Mark
 from autograder.marking.around import around
@@ -37,6 +41,7 @@ class Marker:
         self._variants: dict[str, list[tuple[Question, Answer, Drawn]]] = {}
         self._of_all: Marker | None = None  # of whom this is the marker of one student
         self._sets: dict[int, Marker] = {}
+        self._practised: dict[tuple[str, int], Marker] = {}
         self._lock, self._drawing = threading.Lock(), threading.Lock()
 
     def with_set(self, number: int) -> Marker:
@@ -80,6 +85,39 @@ class Marker:
         own = Marker(course, self.seed, self._tells)
         own._variants, own._of_all = self._variants, self
         return own
+
+    def of_variant(self, id: str, variant: int) -> Marker:
+        """The marker of one variant of a question, for practice.
+
+        Raises:
+            UsageError: if there is no such variant.
+        """
+        written = self.course.varied.get(id)
+        count = written.variables.count if written and written.variables else 1
+        if not (isinstance(variant, int) and 0 <= variant < count):
+            raise UsageError(f"{id} has no variant {variant!r}.")
+        if variant == self.course.variants.get(id, 0):
+            return self
+        if (id, variant) not in self._practised:
+            course = self.course.with_variants({**self.course.variants, id: variant})
+            self._practised[id, variant] = Marker(course, self.seed, self._tells)
+        return self._practised[id, variant]
+
+    def reading(self, id: str, seed: int) -> Reading:
+        """Functions to read, drawn by a seed, for a question that asks to write one.
+
+        Raises:
+            UsageError: if there is nothing to read for it.
+        """
+        question, answer = self.course.question(id), self.course.key[id]
+        names = [other.name for other in self.course.questions.values() if other.name]
+        rng = np.random.default_rng([self.seed, seed])
+        found = kind_of(question).reading(
+            question, answer, self.drawn(id), rng, self.course.root, names
+        )
+        if found is None:
+            raise UsageError(f"There are no functions to read for {id}.")
+        return found
 
     def prepare(self, ids: Collection[str] | None = None) -> None:
         """Draw for these questions, or for all, before several threads ask for them."""

@@ -1,9 +1,11 @@
 """The process that marks for a notebook: ``python -m autograder.marking.marker_process``.
 
-It holds the key where the solutions are at hand, and answers two messages on standard input:
-``{"do": "probe", "question": id}`` with what the kernel has to evaluate, and
-``{"do": "mark", "question": id, "response": ..., "understood": ...}`` with the mark. The key
-itself never leaves this process, and nothing of the student's runs in it.
+It holds the key where the solutions are at hand, and answers messages on standard input:
+``{"do": "probe", "question": id, "variant": n}`` with what the kernel has to evaluate (the variant
+is None for the student's own), ``{"do": "mark", ..., "response": ..., "understood": ...}`` with the
+mark, ``{"do": "reading", "question": id, "seed": n}`` with functions to read, and
+``{"do": "mark_reading", ..., "chosen": n, "returned": n}`` with what is said of the answers.
+Otherwise the key does not leave this process, and nothing of the student's runs in it.
 """
 
 from __future__ import annotations
@@ -44,6 +46,13 @@ def main() -> None:
 def _answer(marker: Marker, message: Message) -> Message:
     id = message["question"]
     try:
+        if message["do"] == "reading":
+            return {"shown": marker.reading(id, message["seed"]).shown()}
+        if message["do"] == "mark_reading":
+            reading = marker.reading(id, message["seed"])
+            return {"verdict": reading.mark(message["chosen"], message["returned"])}
+        if message["variant"] is not None:
+            marker = marker.of_variant(id, message["variant"])
         if message["do"] == "probe":
             return {"probe": marker.drawn(id).probe}
         mark = marker.mark(id, message["response"], message["understood"])

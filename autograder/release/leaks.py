@@ -8,6 +8,7 @@ import json
 import re
 import textwrap
 from collections.abc import Iterable, Iterator
+from functools import cache
 from itertools import pairwise
 from pathlib import Path
 
@@ -29,16 +30,17 @@ def leaks(course: Course, bundle: Path, except_chapters: Iterable[str] = ()) -> 
     by statement, without its comments and layout.
     """
     allowed = set(except_chapters)
-    texts, code = {}, {}
+    texts: dict[Path, str] = {}
+    code: dict[Path, frozenset[str]] = {}
     for path in sorted(bundle.rglob("*")):
         name = path.relative_to(bundle)
         if not path.is_file() or name.parts[0] == "practice":
             continue
         content = _text(path)
         texts[name] = _bare(content)
-        code[name] = _pairs(content) if path.suffix == ".py" else set()
+        code[name] = _pairs(content) if path.suffix == ".py" else frozenset()
         if path.suffix == ".ipynb":
-            code[name] = set().union(*map(_pairs, _code_cells(content)))
+            code[name] = frozenset().union(*map(_pairs, _code_cells(content)))
     for id, answer in course.key.items():
         question = course.question(id)
         if question.chapter in allowed:
@@ -69,13 +71,14 @@ def _text(path: Path) -> str:
         return b"\n".join(_READABLE.findall(content)).decode("ascii")
 
 
-def _pairs(source: str) -> set[str]:
+@cache  # a module of references is in the key of many questions
+def _pairs(source: str) -> frozenset[str]:
     """Every two neighbouring statements of some length, at any depth; docstrings do not count."""
     try:
         tree = ast.parse(source)
     except (SyntaxError, ValueError):
-        return set()
-    found = set()
+        return frozenset()
+    found: set[str] = set()
     for node in ast.walk(tree):
         for block in (getattr(node, name, None) for name in ("body", "orelse", "finalbody")):
             if not isinstance(block, list):
@@ -88,7 +91,7 @@ def _pairs(source: str) -> set[str]:
                 )
             ]
             found |= {f"{a}\n{b}" for a, b in pairwise(said) if len(a) + len(b) >= _SHORTEST_CODE}
-    return found
+    return frozenset(found)
 
 
 def _code_cells(notebook: str) -> Iterator[str]:

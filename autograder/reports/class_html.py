@@ -81,6 +81,7 @@ def class_html(
         _section("Questions that look broken", _broken(statistics, found.count)),
         _section("Questions", _questions(statistics)),
         _section("The most common mistakes", _mistakes(found.mistakes, links)),
+        *([_section("Numbers that vary", _variants(found))] if found.difficulties else []),
         *([_section("What was predicted", predictions)] if predictions else []),
         _section("Time and failures", _time_and_failures(found, run, links)),
     ]
@@ -233,6 +234,34 @@ def _free_place(
         if not beside and not covers:
             return x, y + shift
     return x, y
+
+
+def _variants(found: ClassFindings) -> str:
+    """Whether some students had harder numbers than others."""
+    rows = []
+    for entry in found.difficulties:
+        less = f"{100 * entry.less:.0f} ({100 * entry.low:.0f} to {100 * entry.high:.0f})"
+        hardest = [text(entry.hardest), less] if entry.hardest else ["–", "–"]
+        chance = f"{entry.chance:.3f} ± {entry.error:.3f}"
+        rows.append(
+            [text(entry.question), f"{entry.students}", f"{entry.variants}", chance, *hardest]
+        )
+    header = [
+        "question",
+        "students",
+        "variants",
+        "chance",
+        "hardest",
+        "earned less, % of the points",
+    ]
+    return (
+        table("Were all variants equally hard?", header, rows, {1, 2, 3, 5}, roomy=True)
+        + '<p class="small soft">Chance: how often variants that are equally hard differ as '
+        "much as these, or more (the students of the variants were shuffled, 2000 times). Of "
+        "twenty questions, one has less than 0.05 by chance. Hardest: the variant with the lowest "
+        "mean among those that three students or more have, and how much less its students earned "
+        "than all others, with the range that holds the truth in 95 of 100 cases.</p>"
+    )
 
 
 def _mistakes(mistakes: Sequence[Mistake], links: Links) -> str:

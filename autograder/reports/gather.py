@@ -25,6 +25,7 @@ from autograder.reports.statistics import (
     needs_help,
     section_of,
 )
+from autograder.reports.variants import Difficulty, VariantSums
 
 MOST_NAMED = 400  # students of one kind on a page
 _MOST_REASONS = 1000  # of failures; students can make up as many as they like
@@ -72,6 +73,7 @@ class ClassFindings:
     questions: list[QuestionStatistics] = field(default_factory=list)
     mistakes: list[Mistake] = field(default_factory=list)
     predicted: list[Predicted] = field(default_factory=list)
+    difficulties: list[Difficulty] = field(default_factory=list)
     needy: list[Needy] = field(default_factory=list)
     needy_count: int = 0
     needy_in: dict[str, Some] = field(default_factory=dict)
@@ -94,12 +96,13 @@ def gather(course: Course, records: Iterable[Record]) -> ClassFindings:
     """Go through the records once."""
     found = ClassFindings()
     found.predicted = [Predicted(asked) for asked in course.predictions.values()]
-    sums, made = QuestionSums(course), MistakesMade(course)
+    sums, made, varied = QuestionSums(course), MistakesMade(course), VariantSums(course)
     needy: _Least[Needy] = _Least(lambda entry: (entry.total, entry.student))
     slowest: _Least[tuple[float, str]] = _Least(lambda entry: (-entry[0], entry[1]), 3)
     for record in records:
         sums.add(record)
         made.add(record)
+        varied.add(record)
         for entry in found.predicted:
             entry.add(record)
         if not found.count:
@@ -118,6 +121,7 @@ def gather(course: Course, records: Iterable[Record]) -> ClassFindings:
             if failure in found.failures or len(found.failures) < _MOST_REASONS:
                 found.failures.setdefault(failure, Some()).add(record.student)
     found.names.settle()
+    found.difficulties = varied.difficulties()
     found.questions, found.mistakes = sums.statistics(), made.mistakes()
     found.needy, found.slowest = needy.entries(), slowest.entries()
     return found

@@ -216,7 +216,8 @@ class MistakesMade:
             if mark is None or mark.status not in ("wrong", "partial"):
                 continue
             kind = kind_of(question)
-            known = kind.known_mistakes(question, mark)
+            drawn = self._course.entries_of(question.id, record.graded.numbers_of)
+            known = kind.known_mistakes(question, mark, drawn)
             for name in known or kind.other_mistakes(question, mark):
                 key = (question.id, name, bool(known))
                 self._made.setdefault(key, Shelf(str)).append(record.student)
@@ -289,5 +290,7 @@ def _known_mistakes(course: Course, record: Record) -> tuple[tuple[str, str], ..
         (question.id, name)
         for question in course.questions.values()
         if (mark := marks.get(question.id)) and mark.status in ("wrong", "partial")
-        for name in kind_of(question).known_mistakes(question, mark)
+        for name in kind_of(question).known_mistakes(
+            question, mark, course.entries_of(question.id, record.graded.numbers_of)
+        )
     )

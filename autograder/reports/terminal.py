@@ -15,6 +15,7 @@ from autograder.course import Course
 from autograder.exchange.printable import printable as without_controls
 from autograder.gradebook.changes import Change
 from autograder.gradebook.record import Override, Record, names_of
+from autograder.kinds.registry import kind_of
 from autograder.kinds.status import Status
 from autograder.marking import Mark
 from autograder.reports.machine import most_for
@@ -116,6 +117,24 @@ def print_changes(console: Console, earned: Mapping[str, float], changes: Sequen
             )
     students = "1 student" if count == 1 else f"{count} students"
     _line(console, f"{len(changes)} marks of {students} differ." if changes else "No mark differs.")
+
+
+def print_key(console: Console, course: Course, record: Record) -> None:
+    """The numbers of one student's questions, and what is right with them.
+
+    They are those by which the work was marked: of whom it says it is from.
+    """
+    own = course.for_student(record.graded.numbers_of)
+    console.print(f"[bold]{escape(printable(record.name))}[/]", soft_wrap=True)
+    whose = record.graded.numbers_of if course.personal else ""
+    said = f"the numbers of {whose}" if whose else "the numbers of the sheet"
+    _line(console, f"marked by {said}")
+    for question in own.questions.values():
+        numbers = own.numbers(question.id) or {}
+        told = ", ".join(f"{name} = {value:g}" for name, value in numbers.items())
+        _line(console, f"{question.id} {question.title}" + (f" ({told})" if told else ""))
+        for line in kind_of(question).right_in_words(question, own.key[question.id]):
+            _line(console, f"    {line}")
 
 
 def print_record(

@@ -24,6 +24,7 @@ from autograder.student.submission import pack_submission
 from autograder.student.views import (
     IdentityView,
     MarkView,
+    PracticeView,
     PredictionView,
     ProgressView,
     QuestionView,
@@ -129,6 +130,11 @@ def predicted(id: str) -> object:
     return _try(lambda: (desk := _desk()).prediction(desk.course.prediction(id)))
 
 
+def practise() -> object:
+    """Practise what does not sit yet: rounds of ten minutes, marked at once, without points."""
+    return _try(lambda: _practise())
+
+
 def progress() -> object:
     """Show the points so far, chapter by chapter."""
     return _try(lambda: _progress())
@@ -228,6 +234,20 @@ def _predict(id: str, value: object) -> object:
         return PredictionWidget(desk, prediction)
 
     return _shown(PredictionView(prediction, desk.prediction(prediction)), widget)
+
+
+def _practise() -> object:
+    from autograder.student.practice.round import Practice, summary
+
+    desk = _desk()
+    practice = Practice(desk)
+
+    def widget() -> Shown:
+        from autograder.student.widgets.practice import PracticeWidget
+
+        return PracticeWidget(desk, practice)
+
+    return _shown(PracticeView(summary(practice.placed())), widget)
 
 
 def _progress() -> object:

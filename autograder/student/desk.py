@@ -35,6 +35,23 @@ class Desk:
         self._lock = threading.Lock()
         self._searched: set[str] = set()
 
+    counts = True  # whether marks have points
+
+    def marker(self) -> Any:
+        """What marks here; None where nothing can."""
+        return marker_for(self.course)
+
+    def variables(self) -> dict[str, Any]:
+        """The names that a typed formula may use: the notebook's."""
+        shell = running_shell()
+        return shell.user_ns if shell is not None else {}
+
+    def assign(self, question: Question, value: object) -> None:
+        """Give the notebook's variable a typed value, so that the cells below can go on with it."""
+        shell = running_shell()
+        if shell is not None and value is not ...:
+            shell.user_ns[question.name] = value
+
     def responses(self, question: Question) -> Responses:
         """The file that holds the responses to the question's chapter."""
         return self.chapter_responses(question.chapter)
@@ -155,12 +172,12 @@ class Desk:
         if response is None or kind_of(question).is_untouched(question, response):
             mark = not_attempted(question)
         else:
-            marker = marker_for(self.course)
+            marker = self.marker()
             mark = stopped(question, "recorded")
             if marker is not None:
                 mark = marker.mark(question.id, response)
         if count and response is not None:
-            self._note(question, mark, lambda entry: entry.get("response"))
+            self.note(question, mark, lambda entry: entry.get("response"))
         return mark
 
     def keep_typed(self, question: Question, text: str) -> object:
@@ -170,7 +187,7 @@ class Desk:
             UsageError: if it is not understood; nothing is changed then.
             ResponsesError: if it cannot be saved.
         """
-        value, kept = kind_of(question).read_typed(question, text, _variables())
+        value, kept = kind_of(question).read_typed(question, text, self.variables())
         self.keep(question, lambda before: kept)
         return value
 
@@ -196,7 +213,7 @@ class Desk:
         from_field = response is ...
         if from_field:
             response = self.typed(question)
-        marker = marker_for(self.course)
+        marker = self.marker()
         understood = "" if response is ... else describe(response)
         if response is ...:
             mark = not_attempted(question)
@@ -208,7 +225,7 @@ class Desk:
             stub = _is_stub(response)
             mark = not_attempted(question) if stub else stopped(question, "recorded")
         if count and mark.status != "not attempted":
-            self._note(
+            self.note(
                 question,
                 mark,
                 lambda entry: entry.get("response") if from_field else None,
@@ -248,10 +265,10 @@ class Desk:
 
     def can_mark(self, question: Question) -> bool:
         """Whether a response to the question can be marked here, or only recorded."""
-        marker = marker_for(self.course)
+        marker = self.marker()
         return marker is not None and marker.can_mark(question.id)
 
-    def _note(
+    def note(
         self,
         question: Question,
         mark: Mark,
@@ -285,8 +302,3 @@ def _is_stub(response: object) -> bool:
     """Whether a function still only raises NotImplementedError, as the handout's stub does."""
     code = getattr(response, "__code__", None)
     return code is not None and code.co_names == ("NotImplementedError",)
-
-
-def _variables() -> dict[str, Any]:
-    shell = running_shell()
-    return shell.user_ns if shell is not None else {}

@@ -45,6 +45,14 @@ def bundle_marker(course: Course) -> BundleMarker | None:
     return _bundle
 
 
+def key_marker(course: Course, id: str) -> MarkerClient | None:
+    """What marks a question here with its key; None where only others have that."""
+    marker = marker_for(course)
+    if isinstance(marker, BundleMarker):
+        return marker.key_marker(id)
+    return marker
+
+
 class BundleMarker:
     """Marks the chapters that are for practice with their key, the others with snapshots."""
 
@@ -67,8 +75,12 @@ class BundleMarker:
         return self._for(id).mark(id, response, understood)
 
     def _for(self, id: str) -> MarkerClient | SnapshotMarker:
+        return self.key_marker(id) or self._snapshots
+
+    def key_marker(self, id: str) -> MarkerClient | None:
+        """What marks a question with its key, if that is handed out for practice."""
         if self._practice is None or not self._is_practice(id):
-            return self._snapshots
+            return None
         if self._client is None or not self._client.alive:
             self._client = MarkerClient(self._practice)
         return self._client
@@ -108,17 +120,30 @@ class MarkerClient:
         """Whether a response to a question can be marked, or only recorded."""
         return True
 
-    def probe(self, id: str) -> Message:
-        """What the kernel has to evaluate for a question."""
-        probe: Message = self._ask({"do": "probe", "question": id})["probe"]
+    def probe(self, id: str, variant: int | None = None) -> Message:
+        """What the kernel has to evaluate for a question, or for one of its variants."""
+        probe: Message = self._ask({"do": "probe", "question": id, "variant": variant})["probe"]
         return probe
 
-    def mark(self, id: str, response: object, understood: str = "") -> Mark:
+    def mark(
+        self, id: str, response: object, understood: str = "", variant: int | None = None
+    ) -> Mark:
         """The mark of what came out."""
-        reply = self._ask(
-            {"do": "mark", "question": id, "response": response, "understood": understood}
-        )
+        said = {"response": response, "understood": understood, "variant": variant}
+        reply = self._ask({"do": "mark", "question": id, **said})
         return Mark.from_dict(reply["mark"])
+
+    def reading(self, id: str, seed: int) -> Message:
+        """Functions to read, as `autograder.kinds.reading.Reading.shown` has them."""
+        shown: Message = self._ask({"do": "reading", "question": id, "seed": seed})["shown"]
+        return shown
+
+    def mark_reading(self, id: str, seed: int, chosen: int, returned: int) -> Message:
+        """What is said of the answers to them, as `autograder.kinds.reading.Reading.mark` does."""
+        said = {"chosen": chosen, "returned": returned}
+        message = {"do": "mark_reading", "question": id, "seed": seed, **said}
+        verdict: Message = self._ask(message)["verdict"]
+        return verdict
 
     def _ask(self, message: Message) -> Message:
         stdin, stdout = self._process.stdin, self._process.stdout
@@ -148,3 +173,22 @@ class MarkerClient:
         """Kill the process and wait for it, so that `alive` says so at once."""
         self._process.kill()
         self._process.wait()
+
+
+class VariantMarker:
+    """Marks one variant of a question, whatever numbers the student has."""
+
+    def __init__(self, client: MarkerClient, variant: int) -> None:
+        self._client, self._variant = client, variant
+
+    def can_mark(self, id: str) -> bool:
+        """Whether a response to a question can be marked, or only recorded."""
+        return True
+
+    def probe(self, id: str) -> Message:
+        """What the kernel has to evaluate for the question."""
+        return self._client.probe(id, self._variant)
+
+    def mark(self, id: str, response: object, understood: str = "") -> Mark:
+        """The mark of what came out."""
+        return self._client.mark(id, response, understood, self._variant)

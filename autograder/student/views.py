@@ -100,6 +100,17 @@ class IdentityView(_View):
         return [said.format(call=call)]
 
 
+class PracticeView(_View):
+    """What sits, where no widget can be drawn to practise in."""
+
+    def __init__(self, summary: str) -> None:
+        self.summary = summary
+
+    def lines(self) -> list[str]:
+        said = _("Practice needs JupyterLab or another program that shows widgets.")
+        return [f"{self.summary} {said}"]
+
+
 class PredictionView(_View):
     """Something to predict, and what was predicted."""
 

@@ -128,6 +128,7 @@ def agreement(
     walk: tuple[str, ...],
     pairs: Pairs,
     threshold: int,
+    undecided: Pairs = (),
 ) -> None:
     """Draw for each query how many matches agree with each photograph that was verified.
 
@@ -136,7 +137,9 @@ def agreement(
     """
     fig = figure(8, 3.4)
     axes = fig.subplots()
-    learnt, tried = (_decisions(agreeing, names, walk, pairs) for names in (walk, queries))
+    learnt, tried = (
+        _decisions(agreeing, names, walk, pairs, undecided) for names in (walk, queries)
+    )
     if learnt is None or tried is None:
         note(axes, NOT_YET)
         return show(fig, NOT_YET)
@@ -232,20 +235,21 @@ def precision_recall(
     pairs: Pairs,
     wrong_costs: float,
     predicted: str | None = None,
+    undecided: Pairs = (),
 ) -> None:
     """Draw precision and recall over the threshold of each score, on the walk and on the queries.
 
     `score(name, walk)` returns one number for each photograph of the walk, large for a good match;
     every photograph of the walk is compared with all others. The threshold is the one that costs
     least on the walk, if a wrong loop costs as much as `wrong_costs` missed ones; of several the
-    highest.
+    highest. Pairs that are `undecided` count for neither.
     """
     fig = figure(8, 3.1 * len(scores))
     panels = fig.subplots(len(scores), 2, squeeze=False)
     said = []
     for row, (label, score) in zip(panels, scores.items(), strict=True):
-        learnt = _decisions(score, walk, walk, pairs)
-        tried = _decisions(score, queries, walk, pairs)
+        learnt = _decisions(score, walk, walk, pairs, undecided)
+        tried = _decisions(score, queries, walk, pairs, undecided)
         if learnt is None or tried is None:
             for axes in row:
                 note(axes, NOT_YET)
@@ -270,7 +274,11 @@ def precision_recall(
 
 
 def _decisions(
-    score: Callable[..., Any], names: tuple[str, ...], walk: tuple[str, ...], pairs: Pairs
+    score: Callable[..., Any],
+    names: tuple[str, ...],
+    walk: tuple[str, ...],
+    pairs: Pairs,
+    undecided: Pairs,
 ) -> _Decisions | None:
     found, same = [], []
     for name in names:
@@ -278,7 +286,7 @@ def _decisions(
         if values is None:
             return None
         for other, value in zip(walk, np.asarray(values, dtype=float).tolist(), strict=True):
-            if other != name:
+            if other != name and not _is_same(name, other, undecided):
                 found.append(value)
                 same.append(_is_same(name, other, pairs))
     return _Decisions(np.array(found), np.array(same))

@@ -110,4 +110,5 @@ progress()
 # 2. [Line fitting](2_line_fitting.ipynb)
 # 3. [RANSAC](3_ransac.ipynb)
 #
-# The chapters belong together but do not need each other: begin where you like.
+# The chapters belong together but do not need each other: begin where you like. [Practice](4_practice.ipynb) asks
+# more of the same, with other numbers and without points.

@@ -18,7 +18,7 @@ from playwright.sync_api import BrowserContext, Page, TimeoutError, expect
 
 NAME = "9_place_recognition_and_ransac.ipynb"
 CELLS = [
-    "from autograder import ask, check, predict, progress, submit\n"
+    "from autograder import ask, check, practise, predict, progress, submit\n"
     "from notebooks.explorers import explore_polar_line, explore_ransac",
     'ask("Q1.1")',
     'ask("Q1.2")',
@@ -32,6 +32,7 @@ CELLS = [
     "submit()",
     'predict("P1.1")',
     'predict("P3.1")',
+    "practise()",
 ]
 
 
@@ -581,3 +582,53 @@ def test_a_notebook_that_is_opened_again_without_its_kernel_shows_what_was_kept(
     sheet.run_cell(1)
     expect(radio(sheet, 0, False)).to_be_enabled()
     expect(radio(sheet, 0, True)).to_be_checked()
+
+
+def test_a_round_of_practice_by_keyboard(sheet: Notebook):
+    keyboard = sheet.page.keyboard
+    practice = sheet.page.locator('.autograder[aria-label="Practice"]')
+    practice.get_by_role("button", name="Start a round").focus()
+    keyboard.press("Space")
+    asked = practice.locator(".ag-fresh .autograder")
+    for count in (1, 2, 3):
+        expect(asked).to_be_visible()
+        # The first control of the question has the focus by itself.
+        expect(asked.locator(":focus")).to_have_count(1)
+        if asked.locator("input[type=text]").count():
+            keyboard.type("12345")
+            keyboard.press("Enter")
+        else:
+            keyboard.press("Space")  # a choice, or a card that is taken up
+            asked.get_by_role("button", name="Check").focus()
+            keyboard.press("Enter")
+        expect(asked.locator(".ag-mark").last).to_be_visible()
+        expect(practice.locator(".ag-summary")).to_contain_text(f"of {count} right")
+        before = asked.get_attribute("aria-label")
+        practice.get_by_role("button", name="Next question").focus()
+        keyboard.press("Enter")
+        expect(practice.locator(f'.ag-fresh .autograder[aria-label="{before}"]')).to_have_count(0)
+    expect(asked).to_be_visible()
+    practice.get_by_role("button", name="End the round").focus()
+    keyboard.press("Enter")
+    expect(asked).to_have_count(0)
+    expect(practice.locator(".ag-summary")).to_be_focused()
+    expect(practice.locator("tbody tr")).to_have_count(10)
+    boxes = json.loads((sheet.server.course / "notebooks/responses/practice.json").read_text())
+    assert sum(card["asked"] for card in boxes["responses"].values()) == 3
+    assert not any(entry.get("attempts") for entry in sheet.kept().values())
+
+
+def test_another_one_stands_below_an_answered_question(sheet: Notebook):
+    question = sheet.page.locator('.autograder[aria-label^="Q3.2.1 "]').first
+    again = question.get_by_role("button", name="Another one")
+    expect(again).to_be_hidden()
+    question.locator("input[type=text]").fill("73")
+    sheet.page.keyboard.press("Enter")
+    again.focus()
+    sheet.page.keyboard.press("Space")
+    fresh = question.locator(".ag-fresh .autograder")
+    expect(fresh.locator("input[type=text]")).to_be_focused()
+    sheet.page.keyboard.type("1/w^2")  # by the numbers of the fresh one
+    sheet.page.keyboard.press("Enter")
+    expect(fresh.locator(".ag-feedback")).to_contain_text("how long it takes on average")
+    assert sheet.kept()["Q3.2.1"]["response"] == 73

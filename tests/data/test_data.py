@@ -38,6 +38,14 @@ def test_photographs_are_red_green_blue_the_sky_being_blue():
     assert sky[2] > sky[0]
 
 
+def test_undecided_pairs_exist_and_are_in_no_other_list():
+    photographs = {*data.campus_photographs(), *data.campus_queries()}
+    undecided = data.undecided_pairs()
+    assert len(undecided) == 3
+    assert all(pair <= photographs for pair in undecided)
+    assert not undecided & data.same_place_pairs(by_eye=True)
+
+
 def test_same_place_pairs_name_photographs_that_exist():
     known = (data.campus_photographs() | data.campus_queries()).keys()
     pairs = data.same_place_pairs(by_eye=True)

@@ -165,9 +165,9 @@ def test_a_defining_cell_is_found_in_any_form(tiny_course, cell):
     "filling", ["\n", " ", " \n", "\t\n ", "def\n", "def ", "eggs ", "eggs:\n"]
 )
 def test_a_long_cell_that_defines_nothing_is_searched_at_once(tiny_course, filling):
-    began = time.monotonic()
+    began = time.process_time()
     marks = grade(tiny_course, Scripted({"errors": ["E"]}), kitchen(filling * 100_000 + "1 / 0"))
-    assert time.monotonic() - began < 5
+    assert time.process_time() - began < 5  # of this process alone
     assert marks["Q1.3"].status == "not attempted"
 
 

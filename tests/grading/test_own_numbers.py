@@ -5,13 +5,22 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
+import numpy as np
 import pytest
 from tiny_course import make_tiny_course
 
 from autograder.cli import main
 from autograder.course import Course
 from autograder.exchange.identity import FILE
+from autograder.gradebook import Record
 from autograder.gradebook.book import Gradebook
+from autograder.grading.graded import Graded
+from autograder.intake.submissions import Submission
+from autograder.marking import Mark
+from autograder.marking.marker import Marker
+from autograder.reports.class_html import class_html
+from autograder.reports.statistics import MistakesMade
+from autograder.reports.variants import Difficulty, VariantSums
 
 QUESTION = """
 [story.market]
@@ -115,3 +124,74 @@ def test_everybody_is_marked_by_their_own_numbers(market: Course, tmp_path: Path
     assert marks["parks"].status == "right"
     assert "numbers of the sheet" in notes["parks"]
     assert marks["copies"].alternative == "right for other numbers"
+
+
+def test_show_key_prints_the_numbers_and_answers_of_one_student(market, tmp_path, capsys):
+    ada = NAMES[0]
+    numbers = market.for_student(ada).numbers("Q7")
+    right = numbers["boxes"] * numbers["eggs"]
+    hand_in(tmp_path / "class", "ada", ada, right + 1)
+    out = ["--out", str(tmp_path / "grades")]
+    course = ["--course", str(market.root)]
+    assert main([*course, "grade", str(tmp_path / "class"), *out, "--question", "Q7"]) == 0
+    capsys.readouterr()
+    assert main([*course, "show", "ada", *out, "--key"]) == 0
+    said = capsys.readouterr().out
+    assert f"marked by the numbers of {ada}" in said
+    assert f"Q7 Eggs (boxes = {numbers['boxes']}, eggs = {numbers['eggs']})\n    {right}\n" in said
+    assert "true: Water boils at 100 °C." in said
+
+
+def answered(student: str, id: str, credit: float) -> Record:
+    mark = Mark(id, "right" if credit == 1 else "wrong", credit, 4.0, "")
+    graded = Graded(
+        Submission(student, Path(student)), "graded", student, (mark,), numbers_of=student
+    )
+    return Record(graded, 1, 1)
+
+
+def test_a_variant_that_is_harder_is_found_and_equal_ones_are_not(market):
+    names = [f"student {n}" for n in range(240)]
+    numbers = {name: market.for_student(name).numbers("Q7") for name in names}
+    rng = np.random.default_rng(0)
+    luck = {name: float(rng.random() < 0.7) for name in names}
+
+    def difficulty(unlucky: int) -> Difficulty:
+        found = VariantSums(market)
+        for name in names:
+            hard = numbers[name]["boxes"] == unlucky
+            found.add(answered(name, "Q7", 0.0 if hard else luck[name]))
+        return found.difficulties()[0]
+
+    equal, harder = difficulty(0), difficulty(11)
+    assert (equal.students, equal.variants) == (240, 30)
+    assert equal.chance > 0.05
+    assert harder.chance < 0.01
+    assert harder.hardest.startswith("boxes = 11, eggs = ")
+    # One variant of the five hard ones against all others, of which one in seven is hard.
+    assert 0.3 < harder.low < harder.less < harder.high < 0.8
+    page = class_html(market, [answered(name, "Q7", luck[name]) for name in names], None)
+    assert "Were all variants equally hard?" in page
+
+
+def test_a_mistake_has_one_name_in_all_variants(tmp_path):
+    course = make_tiny_course(tmp_path / "course")
+    course.replace(
+        "notebooks/questions/kitchen.toml",
+        'hints = ["Put an ice cube into a glass."]',
+        'hints = ["Put an ice cube into a glass."]\ndraws = [[1, 2], [2, 3], [3, 2]]',
+    )
+    course.replace("pyproject.toml", "[tool.autograder]", '[tool.autograder]\nvariants = "student"')
+    loaded = course.load()
+    made = MistakesMade(loaded)
+    for name in ("ada", "boole", "kepler", "noether", "hopper", "parks"):
+        own = loaded.for_student(name)
+        ice = own.question("Q1.1").statements.index("Ice sinks in water.")
+        said = [statement.truth for statement in own.key["Q1.1"].statements]
+        said[ice] = True
+        mark = Marker(own, 1).mark("Q1.1", said)
+        graded = Graded(Submission(name, Path(name)), "graded", name, (mark,), numbers_of=name)
+        made.add(Record(graded, 1, 1))
+    (mistake,) = made.mistakes()
+    assert mistake.name == "statement 2 of the bank called true"
+    assert len(mistake.students) == 6

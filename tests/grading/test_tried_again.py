@@ -9,7 +9,7 @@ from autograder.grading.crossing import pack_result, unpack_result
 from autograder.grading.graded import Graded
 from autograder.grading.spread import Task
 from autograder.grading.whole_class import grade_class
-from autograder.intake.submissions import find_submissions
+from autograder.intake.find import find_submissions
 from tests.classroom import graded, hand_in, make_course
 
 

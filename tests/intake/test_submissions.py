@@ -17,9 +17,10 @@ from hypothesis import strategies as st
 from autograder.course import Settings
 from autograder.errors import UsageError
 from autograder.exchange.responses import RECEIPT
+from autograder.intake.find import find_submissions
 from autograder.intake.handout import Handout
 from autograder.intake.notebook_reader import Notebook, Unreadable, read_notebook
-from autograder.intake.submissions import Contents, Submission, find_submissions, read_submission
+from autograder.intake.submissions import Contents, Submission, read_submission
 
 LIMITS = Settings()
 
@@ -242,10 +243,10 @@ def test_a_copy_belongs_to_its_chapter(tmp_path, name):
     ids=lambda suffix: f"{suffix[:6]} {len(suffix)}",
 )  # fmt: skip
 def test_a_name_made_to_look_like_a_copy_in_many_ways_is_read_at_once(tmp_path, suffix):
-    began = time.monotonic()
+    began = time.process_time()
     books = {"3_ransac.ipynb": notebook("k = 1"), f"3_ransac{suffix}x.ipynb": notebook("k = 2")}
     contents = read_zip(tmp_path, books)
-    assert time.monotonic() - began < 1
+    assert time.process_time() - began < 1  # of this process alone
     assert contents.notebooks["ransac"].cells == ["k = 1"]
 
 

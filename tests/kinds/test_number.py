@@ -222,3 +222,10 @@ def test_only_where_a_whole_number_is_asked_for_is_one_asked_for():
     verdict = mark(7.77, answer_of((12.25, 1.0)), decimals=2)
     assert verdict.alternative is None
     assert "whole number" not in verdict.feedback
+
+
+def test_a_mistake_that_gives_no_whole_number_is_known_when_it_is_rounded():
+    answer = answer_of((206, 1.0), (1 / 0.12**2, 0.25))  # 69.444...
+    for value in (69, 1 / 0.12**2, 69.44):
+        assert mark(value, answer, integer=True).feedback == "feedback on 69.44444444444444"
+    assert mark(70, answer, integer=True).credit == 0

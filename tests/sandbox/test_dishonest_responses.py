@@ -8,7 +8,8 @@ import pytest
 
 from autograder.course import Course, load_course
 from autograder.grading.submission import grade_contents
-from autograder.intake.submissions import Contents, Notebook, find_submissions, read_submission
+from autograder.intake.find import find_submissions
+from autograder.intake.submissions import Contents, Notebook, read_submission
 from autograder.marking import Mark
 from autograder.marking.marker import Marker
 from autograder.sandbox.launcher import Sandbox

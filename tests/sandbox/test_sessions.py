@@ -145,10 +145,10 @@ def test_a_crash_in_one_function_costs_that_question_and_is_named(session):
 
 def test_after_the_submissions_time_nothing_is_begun_any_more(sandbox):
     loop = "def hang():\n    while True: pass"
-    began = time.monotonic()
-    with sandbox.session(began + 1.5) as session:
+    with sandbox.session(time.monotonic() + 1000) as session:
         assert session.run([loop, "k = 1"], ["k"])["understood"] == {"k": "1"}
-        with pytest.raises(Stopped):  # cut off by that time, not by its own
+        session._deadline = time.monotonic() + 0.5  # now, however busy the machine was until here
+        with pytest.raises(Stopped):
             session.evaluate(
                 "hang",
                 {"inside": "autograder.kinds.function.inside.evaluate", "cases": [{"args": []}]},
@@ -158,18 +158,17 @@ def test_after_the_submissions_time_nothing_is_begun_any_more(sandbox):
                 session.evaluate("k", NUMBER)
             assert stopped.value.status == "timeout"
             assert stopped.value.why == "the submission as a whole had used up its time"
-    with sandbox.session(began + 1.5) as session, pytest.raises(Stopped):
+    with sandbox.session(time.monotonic()) as session, pytest.raises(Stopped):
         session.run(["k = 1"], ["k"])
-    assert time.monotonic() - began < 4
 
 
 def test_restarts_do_not_give_a_submission_more_time(sandbox):
     """Each cell ends its process, and before the first of them each run takes a while."""
     began = time.monotonic()
-    cells = ["import os, time\ntime.sleep(0.9)", *["os._exit(0)"] * 4]
+    cells = ["import os, time\ntime.sleep(0.9)", *["os._exit(0)"] * 60]
     with sandbox.session(began + 1.2) as session, contextlib.suppress(Stopped):
         session.run(cells, [])
-    assert time.monotonic() - began < 3
+    assert time.monotonic() - began < 30  # of 54 s, if each restart had its own time
 
 
 def test_cells_after_the_notebooks_time_are_not_run(sandbox):

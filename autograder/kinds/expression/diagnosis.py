@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from autograder.errors import CourseError
 from autograder.kinds.drawn import NOTHING_AROUND, Around
 from autograder.kinds.expression.answer import ExpressionAlternative, ExpressionAnswer
-from autograder.kinds.expression.marking import Points, same_values
+from autograder.kinds.expression.equal_values import Points, same_values
 from autograder.kinds.expression.question import Expression
 from autograder.kinds.expression.slopes import slopes
 from autograder.kinds.expression.wholes import terms, wholes

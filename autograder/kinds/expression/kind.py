@@ -101,6 +101,9 @@ class ExpressionKind(CodeKind[Expression, ExpressionAnswer]):
         symbols = [f"- `{name}`: {meaning}" for name, meaning in question.symbols.items()]
         return [*symbols, "", *super().lines(question, response)]
 
+    def right_in_words(self, question: Expression, answer: ExpressionAnswer) -> list[str]:
+        return [entry.expression for entry in answer.alternatives if entry.credit == 1]
+
     def widget(
         self, desk: Desk, question: Expression, value: object = ..., mark: Mark | None = None
     ) -> ExpressionWidget:

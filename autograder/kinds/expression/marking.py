@@ -10,14 +10,14 @@ from numpy.typing import NDArray
 from autograder.exchange.messages import Message
 from autograder.kinds.drawn import NOTHING_AROUND, Around
 from autograder.kinds.expression.answer import ExpressionAlternative, ExpressionAnswer
+from autograder.kinds.expression.diagnosis import diagnose_expression
+from autograder.kinds.expression.equal_values import Points, nearly_equal, same_values
 from autograder.kinds.expression.question import Expression
 from autograder.kinds.formula import evaluate_formula
 from autograder.kinds.mark import Mark, status_for
 from autograder.language import _
 
-Points = dict[str, NDArray[np.float64]]
 POINT_COUNT = 24
-TOLERANCE = 1e-7
 
 
 def hidden_points(answer: ExpressionAnswer, rng: np.random.Generator) -> Points:
@@ -62,7 +62,7 @@ def mark_expression(
         return Mark(
             question.id, "wrong", 0.0, question.points, _("It has no numeric values."), **known
         )
-    if answer.free_of and not _same(values[: count // 2], values[count // 2 :]):
+    if answer.free_of and not nearly_equal(values[: count // 2], values[count // 2 :]):
         return Mark(
             question.id,
             "wrong",
@@ -84,8 +84,6 @@ def mark_expression(
                 alternative=alternative.name,
                 **known,
             )
-    from autograder.kinds.expression.diagnosis import diagnose_expression
-
     found = diagnose_expression(question, answer, points, values.astype(complex), around)
     if found is not None:
         return Mark(
@@ -122,22 +120,3 @@ def matches(
     if alternative.modulo is not None:
         period = float(evaluate_formula(alternative.modulo, {}))
     return same_values(expected, values, period)
-
-
-def same_values(expected: np.ndarray, values: np.ndarray, period: float | None) -> bool:
-    """Whether values are the expected ones where those are defined, up to multiples of a period."""
-    defined = np.isfinite(expected)
-    if defined.sum() < len(expected) // 4:
-        return False
-    expected, values = expected[defined], values[defined]
-    if period is None:
-        return _same(expected, values)
-    difference = np.asarray(values, dtype=complex) - expected
-    turns = np.round(difference.real / period)
-    return bool(np.all(np.isfinite(turns))) and _same(expected, values - turns * period)
-
-
-def _same(expected: np.ndarray, actual: np.ndarray) -> bool:
-    with np.errstate(all="ignore"):
-        scale = np.maximum(np.abs(expected), 1e-3)
-        return bool(np.all(np.abs(actual - expected) <= TOLERANCE * scale))

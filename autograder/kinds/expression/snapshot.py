@@ -9,7 +9,8 @@ import numpy as np
 
 from autograder.exchange.messages import Message
 from autograder.kinds.expression.answer import ExpressionAnswer
-from autograder.kinds.expression.marking import POINT_COUNT, Points, same_values
+from autograder.kinds.expression.equal_values import Points, same_values
+from autograder.kinds.expression.marking import POINT_COUNT
 from autograder.kinds.expression.question import Expression
 from autograder.kinds.formula import evaluate_formula
 from autograder.kinds.mark import Mark

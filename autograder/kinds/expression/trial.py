@@ -8,7 +8,8 @@ import numpy as np
 
 from autograder.errors import CourseError
 from autograder.kinds.expression.answer import ExpressionAnswer
-from autograder.kinds.expression.marking import hidden_points, mark_expression, same_values
+from autograder.kinds.expression.equal_values import same_values
+from autograder.kinds.expression.marking import hidden_points, mark_expression
 from autograder.kinds.expression.question import Expression
 from autograder.kinds.formula import evaluate_formula
 from autograder.marking.mutants.formula_edits import edited_formulas

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import threading
+from collections.abc import Sequence
 from pathlib import Path
+from typing import overload
 
 import numpy as np
 
@@ -10,9 +13,9 @@ from autograder.course.loading import load_object
 from autograder.course.right_work import right_functions
 from autograder.errors import CourseError
 from autograder.kinds.drawn import Drawn
-from autograder.kinds.function.answer import FunctionAnswer
+from autograder.kinds.function.answer import FunctionAlternative, FunctionAnswer
 from autograder.kinds.function.hypotheses import Hypotheses
-from autograder.kinds.function.marking import Expected, close
+from autograder.kinds.function.marking import Expected, Outcome, close
 from autograder.kinds.function.question import Function
 from autograder.sandbox.inside.evaluate import evaluate
 
@@ -45,12 +48,52 @@ def draw(
         cases=cases,
         outcomes=_outcomes(answer.reference, sent, root),
         compare=compare,
-        mistakes=[
-            (mistake, _outcomes(mistake.function, sent, root)) for mistake in answer.alternatives
-        ],
+        mistakes=Behaviours(answer.alternatives, sent, root),
     )
     shows_first = answer.picture is not None and bool(cases[0].get("public"))
     return Drawn(sent, expected=expected, shows_first=shows_first)
+
+
+class Behaviours(Sequence[tuple[FunctionAlternative, list[Outcome]]]):
+    """The known mistakes with their outcomes, found out when a response is first compared to one.
+
+    Work that is right never needs them, and they take most of the time of drawing.
+
+    Raises:
+        CourseError: at once, if a mistake cannot be loaded; when it is asked for, if it cannot be
+            run.
+    """
+
+    def __init__(
+        self, mistakes: Sequence[FunctionAlternative], sent: dict[str, object], root: Path
+    ) -> None:
+        for mistake in mistakes:
+            load_object(mistake.function, root)
+        self._mistakes, self._sent, self._root = mistakes, sent, root
+        self._found: dict[int, list[Outcome]] = {}
+        self._lock = threading.Lock()  # threads mark at the same time
+
+    def __len__(self) -> int:
+        return len(self._mistakes)
+
+    @overload
+    def __getitem__(self, index: int) -> tuple[FunctionAlternative, list[Outcome]]: ...
+
+    @overload
+    def __getitem__(self, index: slice) -> list[tuple[FunctionAlternative, list[Outcome]]]: ...
+
+    def __getitem__(
+        self, index: int | slice
+    ) -> (
+        tuple[FunctionAlternative, list[Outcome]] | list[tuple[FunctionAlternative, list[Outcome]]]
+    ):
+        if isinstance(index, slice):
+            return [self[i] for i in range(*index.indices(len(self)))]
+        mistake = self._mistakes[index]
+        with self._lock:
+            if index not in self._found:
+                self._found[index] = _outcomes(mistake.function, self._sent, self._root)
+            return mistake, self._found[index]
 
 
 def _outcomes(dotted_name: str, sent: dict[str, object], root: Path) -> list[dict[str, object]]:

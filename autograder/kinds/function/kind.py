@@ -19,10 +19,12 @@ from autograder.kinds.function.expected import draw
 from autograder.kinds.function.marking import mark_function
 from autograder.kinds.function.promises import promises
 from autograder.kinds.function.question import Function
+from autograder.kinds.function.reading import draw_reading
 from autograder.kinds.function.stub import function_stub, reference_source
 from autograder.kinds.function.take_snapshot import take_snapshot
 from autograder.kinds.function.trial import FunctionTrial
 from autograder.kinds.mark import Mark
+from autograder.kinds.reading import Reading
 from autograder.marking.mutants.mutant import Trial
 
 if TYPE_CHECKING:
@@ -36,6 +38,7 @@ class FunctionKind(CodeKind[Function, FunctionAnswer]):
     name = "function"
     parts_heading = "Kinds of input"
     fewest_variants = 4
+    can_be_read = True
     question_type = Function
     answer_type = FunctionAnswer
 
@@ -59,8 +62,22 @@ class FunctionKind(CodeKind[Function, FunctionAnswer]):
         case, outcome = drawn.expected.cases[0], drawn.expected.outcomes[0]
         return (case, outcome["value"]) if case.get("public") and "value" in outcome else None
 
+    def reading(
+        self,
+        question: Function,
+        answer: FunctionAnswer,
+        drawn: Drawn,
+        rng: np.random.Generator,
+        root: Path,
+        names: Sequence[str],
+    ) -> Reading | None:
+        return draw_reading(question, answer, drawn, rng, root, names)
+
     def picture(self, answer: FunctionAnswer) -> str | None:
         return answer.picture
+
+    def right_in_words(self, question: Function, answer: FunctionAnswer) -> list[str]:
+        return [answer.reference]
 
     def widget(
         self, desk: Desk, question: Function, value: object = ..., mark: Mark | None = None

@@ -108,7 +108,7 @@ def mark_function(
         lambda i, outcome: agrees(
             expected.compare, expected.cases[i], expected.outcomes[i], outcome
         ),
-        max((mistake.credit for mistake, _ in expected.mistakes), default=1.0),
+        max((mistake.credit for mistake in answer.alternatives), default=1.0),
     )
     failing = [f"{part.label}{part.feedback}" for part in parts if not part.right]
     feedback = _("Right on {right} of {count} kinds of input. Not yet on: {failing}.").format(

@@ -165,6 +165,8 @@ def _of_count(_: Case, right: Value, given: object) -> object:
 def _of_pairs(_: Case, right: Value, given: Value) -> Value:
     """The first of each entry, where something stands beside what is asked for."""
     rows = np.asarray(given)
+    if rows.size == 0:
+        return given
     if rows.ndim != 2 or rows.shape[1] < 2 or np.asarray(right).ndim != 1:
         raise NotForThis
     return _like(given, rows[:, 0])
@@ -212,4 +214,5 @@ _UNUSUAL: tuple[tuple[str, str, Repair], ...] = (
     *_OF_RESULTS[:2],
     ("a count for indices", *_OF_RESULTS[2][1:]),
     ("the others", *_OF_RESULTS[3][1:]),
+    _OF_RESULTS[-1],
 )

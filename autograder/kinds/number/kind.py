@@ -71,6 +71,10 @@ class NumberKind(CodeKind[Number, NumberAnswer]):
         assert isinstance(alternative, NumberAlternative)
         return {"state": "given", "value": alternative.value}
 
+    def right_in_words(self, question: Number, answer: NumberAnswer) -> list[str]:
+        values = [entry.value for entry in answer.alternatives if entry.credit == 1]
+        return [f"{question.printed(value)} {question.unit}".strip() for value in values]
+
     def secret_numbers(self, question: Number, answer: NumberAnswer) -> Iterator[str]:
         for entry in answer.alternatives:
             if not entry.is_mistake:

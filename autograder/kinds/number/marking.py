@@ -61,10 +61,17 @@ def _tolerance(question: Number, alternative: NumberAlternative, value: int | fl
     """How far a value may be from an alternative's.
 
     As many decimals as are asked for may be rounded. Whoever gives more of them has to be right to
-    these, by at most one in the last, as far as the key itself goes.
+    these, by at most one in the last, as far as the key itself goes. A mistake that gives no whole
+    number is given as one where one is asked for, rounded.
     """
     if alternative.tolerance is not None:
         return alternative.tolerance
+    if (
+        question.integer
+        and alternative.is_mistake
+        and alternative.value != round(alternative.value)
+    ):
+        return 0.5
     given = _decimals(value)
     if question.decimals is None or alternative.is_mistake or given <= question.decimals:
         return question.tolerance

@@ -55,6 +55,10 @@ class OrderKind(ChoiceKind[Order, OrderAnswer]):
     def respond_line(self, question: Order, response: object) -> str:
         return given.respond_line(question, given.chosen(question, response))
 
+    def right_in_words(self, question: Order, answer: OrderAnswer) -> list[str]:
+        texts = {card.id: card.text for card in question.cards}
+        return [f"{place}. {texts[id]}" for place, id in enumerate(answer.order, 1)]
+
     def widget(
         self, desk: Desk, question: Order, value: object = ..., mark: Mark | None = None
     ) -> OrderWidget:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from autograder.kinds.choice import ChoiceKind
@@ -70,11 +70,22 @@ class TrueFalseKind(ChoiceKind[TrueFalse, TrueFalseAnswer]):
             for statement, word in zip(question.statements, words, strict=False)
         ]
 
-    def known_mistakes(self, question: TrueFalse, mark: Mark) -> list[str]:
-        words = [word.strip() for word in mark.understood.split(",")]
+    def right_in_words(self, question: TrueFalse, answer: TrueFalseAnswer) -> list[str]:
         return [
-            f"statement {number} called {word}"
-            for number, (part, word) in enumerate(zip(mark.parts, words, strict=False), 1)
+            f"{str(known.truth).lower()}: {said}"
+            for said, known in zip(question.statements, answer.statements, strict=True)
+        ]
+
+    def known_mistakes(
+        self, question: TrueFalse, mark: Mark, drawn: Sequence[int] = ()
+    ) -> list[str]:
+        words = [word.strip() for word in mark.understood.split(",")]
+        labels = [f"statement {number}" for number in range(1, len(mark.parts) + 1)]
+        if len(drawn) == len(labels):  # the same place holds another statement for others
+            labels = [f"statement {number} of the bank" for number in drawn]
+        return [
+            f"{label} called {word}"
+            for label, part, word in zip(labels, mark.parts, words, strict=False)
             if part.right is False
         ]
 

@@ -59,6 +59,20 @@ function ownModel(model) {
   return own;
 }
 
+// Shows another widget of the kernel inside of this one, and gives its first control the focus.
+async function showChild(model, place, id) {
+  const manager = ownModel(model)?.widget_manager ?? model.widget_manager;
+  const child = await manager.get_model(id);
+  const view = await manager.create_view(child, {});
+  place.replaceChildren(view.el);
+  const focus = () => place.querySelector("input:enabled, button:enabled, [tabindex='0']");
+  // Its controls are off until it has heard from the kernel.
+  for (let tries = 0; tries < 40 && !focus(); tries++) {
+    await new Promise((resolve) => setTimeout(resolve, 50));
+  }
+  focus()?.focus();
+}
+
 // The line to the kernel. An answer counts as kept when the kernel has said so, and not before.
 //
 //   tell(text, kind)   shows a sentence; kind is "", "waiting", "kept" or "lost"

@@ -26,6 +26,7 @@ function openQuestion({ model, el, draw, unkept, checkable = true }) {
   controls.append(body, actions);
   if (fixed.prompt) root.append(make("div", { class: "ag-prompt", html: fixed.prompt }));
   root.append(refusal, controls, mark, hints, announcer);
+  if (fixed.another) root.append(practiceOf({ model, send: (message) => send(message, false) }));
   if (fixed.foot) root.append(make("p", { class: "ag-foot" }, fixed.foot));
 
   function drawAll(lost = false) {
@@ -35,6 +36,7 @@ function openQuestion({ model, el, draw, unkept, checkable = true }) {
     refusal.textContent = state.refusal;
     refusal.hidden = !state.refusal;
     drawMark(mark, state.mark);
+    root.classList.toggle("ag-answered", Boolean(state.attempts));
     while (hints.children.length < state.hints) {
       const text = fixed.hints[hints.children.length];
       hints.append(make("li", { html: text }));
@@ -72,6 +74,19 @@ function openQuestion({ model, el, draw, unkept, checkable = true }) {
     );
   }
   return { root, body, actions, check, send, tell, announce: (text) => (announcer.textContent = text) };
+}
+
+// Another one: a fresh variant below the question, in a widget of its own.
+function practiceOf({ model, send }) {
+  const place = make("div", { class: "ag-fresh" });
+  const another = make("button", { type: "button" }, "Another one");
+  const note = make("span", { class: "ag-note" }, "With other numbers or statements, for practice: no points.");
+  keepKeys(another);
+  another.addEventListener("click", async () => {
+    const reply = await send({ do: "another" }); // a refusal is told beside the question's controls
+    if (reply?.child) await showChild(model, place, reply.child);
+  });
+  return make("div", { class: "ag-another" }, place, make("p", { class: "ag-actions" }, another, note));
 }
 
 function drawMark(place, mark) {

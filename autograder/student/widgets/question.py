@@ -29,6 +29,7 @@ class QuestionWidget(CourseWidget):
         self.mark: Mark | None = None
         self.marked_response: object = None
         self._with_prompt = with_prompt
+        self._practised: CourseWidget | None = None
         self._refusal = desk.responses(question).refusal()
         super().__init__(desk)
 
@@ -40,6 +41,7 @@ class QuestionWidget(CourseWidget):
             "hints": [markdown(hint) for hint in question.hints],
             "marks": self.desk.can_mark(question),
             "foot": self.desk.whose(question),
+            "another": self.can_have_another(),
         }
 
     def what_is_kept(self) -> dict[str, object]:
@@ -60,7 +62,7 @@ class QuestionWidget(CourseWidget):
         mark = self.mark
         if mark is None or entry.get("response") != self.marked_response:
             return None
-        earned = "" if mark.status == "recorded" else _earned(mark)
+        earned = _earned(mark) if self.desk.counts and mark.status != "recorded" else ""
         return {
             "status": mark.status,
             "said": Status(mark.status).plain,
@@ -87,6 +89,31 @@ class QuestionWidget(CourseWidget):
         """Open one more hint."""
         self.desk.open_hint(self.question)
         return {}
+
+    def can_have_another(self) -> bool:
+        """Whether the question can be practised here, with other numbers or by reading."""
+        if not self.desk.counts:  # this is one
+            return False
+        from autograder.student.practice.another import can_practise
+
+        return can_practise(self.desk, self.question)
+
+    def do_another(self, message: dict[str, object]) -> dict[str, object]:
+        """Make a fresh variant; the reply says which widget shows it."""
+        from autograder.student.practice.another import another_one
+
+        before, self._practised = self._practised, None
+        last = -1
+        if before is not None:
+            last = before.desk.course.variants.get(self.question.id, 0)
+            before.close()
+        self._practised = another_one(self.desk, self.question, unlike=last)
+        return {"child": self._practised.model_id}
+
+    def close(self) -> None:
+        if self._practised is not None:
+            self._practised.close()
+        super().close()
 
     def receipt(self) -> dict[str, object] | None:
         response = self.desk.entry(self.question).get("response")

@@ -9,7 +9,6 @@ from autograder.kinds.registry import kind_of
 from autograder.reports.markdown import formula, inline
 from autograder.sandbox.inside.evaluate import describe
 from autograder.student.desk import Desk
-from autograder.student.frontend import running_shell
 from autograder.student.widgets.base import source
 from autograder.student.widgets.question import QuestionWidget
 
@@ -40,7 +39,7 @@ class ValueWidget(QuestionWidget):
         elif desk.entry(question).get("attempts"):
             self.remark(lambda: desk.mark_value(question, ..., count=False))
         if self.has_field:
-            _assign(question, desk.typed(question))
+            desk.assign(question, desk.typed(question))
         self.state = self.what_is_kept()
 
     def what_is_fixed(self) -> dict[str, object]:
@@ -81,7 +80,7 @@ class ValueWidget(QuestionWidget):
     def do_type(self, message: dict[str, object]) -> dict[str, object]:
         """Keep what is typed, as soon as it can be understood."""
         value = self.desk.keep_typed(self.question, str(message["text"]))
-        _assign(self.question, value)
+        self.desk.assign(self.question, value)
         return {"understood": self.understood(value)}
 
     def do_check(self, message: dict[str, object]) -> dict[str, object]:
@@ -89,13 +88,6 @@ class ValueWidget(QuestionWidget):
         reply = self.do_type(message)
         self.show_mark(self.desk.mark_value(self.question, ...))
         return reply
-
-
-def _assign(question: Question, value: object) -> None:
-    """Give the variable a typed value, so that the cells below can go on with it."""
-    shell = running_shell()
-    if shell is not None and value is not ...:
-        shell.user_ns[question.name] = value
 
 
 def _plain(text: str) -> str:

@@ -1,0 +1,53 @@
+"""Functions to read: which of some is right, and what does one that is wrong return?"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+LETTERS = "ABCDEFGH"
+
+
+@dataclass(frozen=True)
+class Reading:
+    """Some functions, one of them right, and a call of one that is wrong.
+
+    ``codes`` are their sources; ``called`` is the wrong one of the second question, ``call`` the
+    call as a reader sees it, and ``values`` what it may return, of which ``returned`` is true.
+    ``remarks`` say of each function that is wrong what is wrong with it.
+    """
+
+    codes: tuple[str, ...]
+    right: int
+    called: int
+    call: str
+    values: tuple[str, ...]
+    returned: int
+    remarks: tuple[str, ...]
+
+    def shown(self) -> dict[str, Any]:
+        """What is asked, without what is true."""
+        return {
+            "codes": list(self.codes),
+            "called": LETTERS[self.called],
+            "call": self.call,
+            "values": list(self.values),
+        }
+
+    def mark(self, chosen: object, returned: object) -> dict[str, Any]:
+        """What is said of the two answers, which are numbers from 0."""
+        found, computed = chosen == self.right, returned == self.returned
+        said = []
+        if found:
+            said.append(f"{LETTERS[self.right]} is right.")
+        elif isinstance(chosen, int) and 0 <= chosen < len(self.codes):
+            said.append(f"{LETTERS[chosen]} is not right: {self.remarks[chosen]}")
+            said.append(f"{LETTERS[self.right]} is.")
+        value = self.values[self.returned]
+        if computed:
+            said.append(f"And {LETTERS[self.called]} returns `{value}` there.")
+        else:
+            said.append(f"{LETTERS[self.called]} returns `{value}` there.")
+        if chosen != self.called:
+            said.append(f"About {LETTERS[self.called]}: {self.remarks[self.called]}")
+        return {"right": found and computed, "parts": [found, computed], "said": " ".join(said)}
