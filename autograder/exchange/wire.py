@@ -151,12 +151,12 @@ def decode(text: bytes, raw: bytes, max_unpacked: int = UNPACKED * MAX_ARRAYS) -
         raise WireError(f"not a message: {type(error).__name__}") from None
 
 
-def _allowed_type(code: Any) -> np.dtype[Any]:
+def _allowed_type(code: object) -> np.dtype[np.generic]:
     """The number type that a code such as ``<f8`` names."""
     match = _TYPE.fullmatch(code) if isinstance(code, str) else None
     if match is None or int(match[2]) not in _ITEM_SIZES[match[1]]:
         raise WireError("an array of a type that is not allowed")
-    return np.dtype(code)
+    return np.dtype(match[0])
 
 
 def _restore(item: object, arrays: list[np.ndarray | None], depth: int = 0) -> object:

@@ -12,7 +12,7 @@ from playwright.sync_api import Locator, Page, expect, sync_playwright
 
 DOCS = ROOT / "docs"
 CELLS = (
-    "from autograder import ask, check, progress, submit\n"
+    "from autograder import ask, check, predict, progress, submit\n"
     "from notebooks.explorers import explore_polar_line, explore_ransac",
     'ask("Q0.1")',
     'ask("Q1.2")',
@@ -24,6 +24,7 @@ CELLS = (
     "submit()",
     "explore_ransac()",
     "explore_polar_line({points})",
+    'predict("P1.1")',
 )
 
 
@@ -135,6 +136,7 @@ def take_all(page: Page, server: Server) -> None:
             take(formula, "formula")
             take(ransac, "explorer-ransac")
             take(progress, "progress")
+            take(sheet.question("P1.1"), "prediction")
             take(panel, "submission")
     page.evaluate(
         "() => { window.jupyterapp.commands.execute('apputils:change-theme',"
