@@ -58,7 +58,11 @@ def needed_modules(course: Course, chapters: Collection[str]) -> set[str]:
         name.partition(":")[0]
         for id, answer in course.key.items()
         if course.question(id).chapter in chapters
-        for name in kind_of(course.question(id)).code_names(answer)
+        for name in (
+            *kind_of(course.question(id)).code_names(answer),
+            kind_of(course.question(id)).picture(answer) or "",  # grading draws it
+        )
+        if name
     }
     needed: set[str] = set()
     while waiting:
@@ -69,11 +73,11 @@ def needed_modules(course: Course, chapters: Collection[str]) -> set[str]:
         needed.add(module)
         parents = module.split(".")[:-1]
         waiting |= {".".join(parents[:count]) for count in range(1, len(parents) + 1)}
-        waiting |= set(_imports(path, module))
+        waiting |= set(_imports(path))
     return needed
 
 
-def _imports(path: Path, module: str) -> Iterator[str]:
+def _imports(path: Path) -> Iterator[str]:
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
         if isinstance(node, ast.Import):
             yield from (alias.name for alias in node.names)

@@ -15,6 +15,7 @@ from autograder.authoring.pyproject import bundle_pyproject, kinds_setting
 from autograder.course import Course
 from autograder.errors import CourseError, UsageError
 from autograder.marking.snapshots import SNAPSHOTS
+from autograder.release import practice_workflow
 from autograder.release.files import LeftOut, left_out, student_files
 from autograder.release.leaks import leaks
 from autograder.release.readme import student_readme
@@ -32,6 +33,10 @@ class Bundle:
     files: tuple[Path, ...]
     blind: tuple[str, ...]
     left_out: tuple[LeftOut, ...]
+
+
+# Responses are not ignored: whoever hands in by pushing hands them in too.
+_IGNORED = ".venv/\n__pycache__/\nresponses/*.lock\nresponses/*.tmp\nsubmission.zip\nuv.lock\n"
 
 
 def release(
@@ -68,9 +73,11 @@ def release(
             _write(folder / SNAPSHOTS / f"{chapter.name}.json", text + "\n")
         _write(folder / "pyproject.toml", bundle_pyproject(course, "-student"))
         _write(folder / "README.md", student_readme(course, practice, checked))
-        _write(folder / ".gitignore", ".venv/\n__pycache__/\nresponses/\nsubmission.zip\nuv.lock\n")
+        _write(folder / ".gitignore", _IGNORED)
         for file in practised:
             _copy(course.root / file, folder / PRACTICE / file)
+        if practised:
+            _write(folder / practice_workflow.PATH, practice_workflow.TEXT)
         if practised and course.own_kinds:
             text = "\n".join(["[tool.autograder]", *kinds_setting(course)]) + "\n"
             _write(folder / PRACTICE / "pyproject.toml", text)
