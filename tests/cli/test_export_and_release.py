@@ -108,7 +108,7 @@ def test_release_says_what_the_bundle_holds(classroom: Classroom, tmp_path: Path
 
     course = ["--course", str(classroom.course.root)]
     assert main([*course, "release", str(tmp_path / "bundle")]) == 0
-    assert "holds 1 notebooks" in capsys.readouterr().out
+    assert "holds 1 notebook" in capsys.readouterr().out
     assert main([*course, "release", str(tmp_path / "bundle")]) == 2
     assert "is not empty" in capsys.readouterr().err
     assert main([*course, "release", str(tmp_path / "practice"), "--practice"]) == 0
