@@ -21,10 +21,11 @@ import math
 import re
 import struct
 from collections.abc import Callable
-from typing import IO, Any
+from typing import IO
 
 import numpy as np
 
+from autograder.exchange.messages import Value
 from autograder.exchange.sizes import unpacked_bytes
 
 HEADER = struct.Struct(">IQ")
@@ -187,7 +188,7 @@ def _restore(item: object, arrays: list[np.ndarray | None], depth: int = 0) -> o
     return item
 
 
-def read_stream(stream: IO[bytes]) -> Any:
+def read_stream(stream: IO[bytes]) -> Value:
     """Read one message from a stream; raises as `read_message` does."""
 
     def read_exactly(count: int) -> bytes:
