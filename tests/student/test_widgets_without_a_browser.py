@@ -249,7 +249,7 @@ def test_the_panel_lists_what_is_open_and_packs_again(own_garden: Path, sent):
     from autograder.student.api import _pack
 
     desk = Desk(load_course())
-    panel = SubmissionWidget(desk, _pack(desk), lambda: _pack(desk))
+    panel = SubmissionWidget(desk, _pack(desk, None), lambda: _pack(desk, None))
     questions = panel.state["chapters"][0]["questions"]
     assert [entry["answered"] for entry in questions] == [False] * 5
     assert panel.state["path"] == str(own_garden / "notebooks/submission.zip")
