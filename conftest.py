@@ -25,6 +25,7 @@ def pytest_runtest_setup(item: pytest.Item) -> None:
         folder = base / "notebooks" / item.path.parent.name / item.path.stem
         folder.mkdir(parents=True, exist_ok=True)
         os.environ["AUTOGRADER_RESPONSES"] = str(folder)
+        os.environ["AUTOGRADER_WIDGETS"] = "0"  # no fixture is set up where only notebooks run
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:

@@ -24,6 +24,7 @@ from autograder.authoring.executed import Executed
 from autograder.authoring.masters import Master, MasterCell, read_masters
 from autograder.course import DEMO, Course
 from autograder.errors import CourseError
+from autograder.exchange.building import BUILDING
 from autograder.kinds.exercise import heading as exercise_heading
 from autograder.kinds.question import Question
 from autograder.kinds.registry import kind_of
@@ -192,6 +193,7 @@ def _execute(notebook: Any, course: Course, stem: str) -> None:
             **os.environ,
             "AUTOGRADER_RESPONSES": responses,
             "AUTOGRADER_WIDGETS": "0",  # even if this runs inside of a notebook
+            BUILDING: "1",
         }
         client = NotebookClient(
             notebook,

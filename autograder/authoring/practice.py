@@ -73,11 +73,11 @@ def needed_modules(course: Course, chapters: Collection[str]) -> set[str]:
         needed.add(module)
         parents = module.split(".")[:-1]
         waiting |= {".".join(parents[:count]) for count in range(1, len(parents) + 1)}
-        waiting |= set(_imports(path, module))
+        waiting |= set(_imports(path))
     return needed
 
 
-def _imports(path: Path, module: str) -> Iterator[str]:
+def _imports(path: Path) -> Iterator[str]:
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
         if isinstance(node, ast.Import):
             yield from (alias.name for alias in node.names)

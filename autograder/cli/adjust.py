@@ -68,7 +68,7 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
         if parsed.accept:
             book.set(SCHEME, proposed)
             book.set(f"{SCHEME}_author", parsed.author)
-            write_reports(course, book, Options(parsed.out, None, class_list), console)
+            write_reports(course, book, Options(parsed.out, None, class_list))
     if parsed.json:
         most = {"before": before.scheme.most, "after": after.scheme.most}
         print_json({"accepted": parsed.accept, "max": most, "students": rows})

@@ -121,7 +121,7 @@ def grade_and_report(
     view = view_class(course, book, class_list, streamed=True)
     summary.missing = tuple(view.missing)
     book.set("intake", summary.sentence())
-    written = write_reports(course, book, Options(parsed.out, None, class_list), console)
+    written = write_reports(course, book, Options(parsed.out, None, class_list))
     ended = BROKEN if parsed.strict and summary.needs_person else DONE
     if getattr(parsed, "summary", None) == "github":
         _tell_github(console, course, summary, _records(view, tally))
@@ -259,7 +259,7 @@ def _after_interruption(
         rows = (row for row in summary.rows if row.submission.student in students)
         book.set_lateness((row.submission.student, row.lateness()) for row in rows)
         options = Options(parsed.out, students, summary.class_list)
-        write_reports(course, book, options, console)
+        write_reports(course, book, options)
         kept = "their reports are written; run it again to go on"
     else:
         kept = "nothing was written"

@@ -73,7 +73,7 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
                 _ask_all(parsed, console, book, items, marked)
         finally:
             if marked:
-                write_reports(course, book, Options(parsed.out, marked, class_list), console)
+                write_reports(course, book, Options(parsed.out, marked, class_list))
         left = len(open_items(view_class(course, book, class_list), question))
     console.print(f"{left} still wait." if left else "Everything is marked.")
     return DONE

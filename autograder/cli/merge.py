@@ -68,7 +68,7 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
                 warn(printable(conflict))
             conflicts += len(done.conflicts)
         class_list = use_class_list(parsed, into)
-        write_reports(course, into, Options(parsed.out, None, class_list), console)
+        write_reports(course, into, Options(parsed.out, None, class_list))
         waiting = sum(bool(record.disputes) for record in into.records())
     if waiting:
         console.print(f"{waiting} students have conflicting points; see `autograder mark`.")

@@ -80,7 +80,7 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
             )
         book.override(record.student, question.id, points, parsed.reason.strip(), parsed.author)
         options = Options(parsed.out, {record.student}, class_list)
-        write_reports(course, book, options, console)
+        write_reports(course, book, options)
         record = find_record(view_class(course, book, class_list).records, record.student)
     counts = record.points(question.id)
     has = "no points yet" if counts is None else f"{counts:g} points"
@@ -117,7 +117,7 @@ def _spreadsheet(parsed: argparse.Namespace, console: Console) -> int:
         if not parsed.dry_run and found:
             book.add(found, [])
             students = {entry.student for entry in found}
-            write_reports(course, book, Options(parsed.out, students, class_list), console)
+            write_reports(course, book, Options(parsed.out, students, class_list))
     kept = "nothing was written" if parsed.dry_run else "kept in the gradebook"
     console.print(f"{len(found)} differ from the gradebook; {kept}.")
     return DONE

@@ -5,13 +5,13 @@ from __future__ import annotations
 import importlib
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
 
 from autograder.course.own_code import OWN, put_first
 from autograder.errors import CourseError
+from autograder.exchange.messages import Value
 
 
-def load_object(dotted_name: str, root: Path) -> Callable[..., Any]:
+def load_object(dotted_name: str, root: Path) -> Callable[..., Value]:
     """The function that a dotted name such as ``solutions.module:function`` stands for.
 
     This is the only way by which the autograder reaches a course's own code.

@@ -6,9 +6,9 @@ import contextlib
 import select
 import socket
 import time
-from typing import Any
 
 from autograder.exchange import wire
+from autograder.exchange.messages import Value
 
 _CHUNK = 2**18
 
@@ -54,7 +54,7 @@ class Channel:
             with contextlib.suppress(BlockingIOError):
                 data = data[self._socket.send(data, socket.MSG_DONTWAIT) :]
 
-    def receive(self, deadline: float | None = None) -> Any:
+    def receive(self, deadline: float | None = None) -> Value:
         """Receive one message.
 
         Raises:

@@ -21,10 +21,11 @@ import math
 import re
 import struct
 from collections.abc import Callable
-from typing import IO, Any
+from typing import IO
 
 import numpy as np
 
+from autograder.exchange.messages import Value
 from autograder.exchange.sizes import unpacked_bytes
 
 HEADER = struct.Struct(">IQ")
@@ -151,12 +152,12 @@ def decode(text: bytes, raw: bytes, max_unpacked: int = UNPACKED * MAX_ARRAYS) -
         raise WireError(f"not a message: {type(error).__name__}") from None
 
 
-def _allowed_type(code: Any) -> np.dtype[Any]:
+def _allowed_type(code: object) -> np.dtype[np.generic]:
     """The number type that a code such as ``<f8`` names."""
     match = _TYPE.fullmatch(code) if isinstance(code, str) else None
     if match is None or int(match[2]) not in _ITEM_SIZES[match[1]]:
         raise WireError("an array of a type that is not allowed")
-    return np.dtype(code)
+    return np.dtype(match[0])
 
 
 def _restore(item: object, arrays: list[np.ndarray | None], depth: int = 0) -> object:
@@ -187,7 +188,7 @@ def _restore(item: object, arrays: list[np.ndarray | None], depth: int = 0) -> o
     return item
 
 
-def read_stream(stream: IO[bytes]) -> Any:
+def read_stream(stream: IO[bytes]) -> Value:
     """Read one message from a stream; raises as `read_message` does."""
 
     def read_exactly(count: int) -> bytes:

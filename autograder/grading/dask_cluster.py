@@ -15,7 +15,7 @@ from typing import Any
 from distributed import Client, Future, KilledWorker, as_completed
 
 from autograder.course import Course
-from autograder.grading.crossing import Broken, pack_order, unpack_result
+from autograder.grading.crossing import pack_order, unpack_result
 from autograder.grading.dask_address import ClusterAddress
 from autograder.grading.dask_connection import ClusterError, connect, gone, gone_in_one_sentence
 from autograder.grading.dask_crew import Crew
@@ -172,7 +172,7 @@ class DaskCluster:
             came = unpack_result(result, sent.task.submission)
             if isinstance(came, Graded):
                 return [came]
-            return self._worker_is_broken(sent, came)
+            return self._worker_is_broken(sent)
         if status == "error":
             error = result[1]
             if isinstance(error, KilledWorker):
@@ -184,7 +184,7 @@ class DaskCluster:
             ) from error
         raise gone(self._address)
 
-    def _worker_is_broken(self, sent: _Sent, broken: Broken) -> list[Graded]:
+    def _worker_is_broken(self, sent: _Sent) -> list[Graded]:
         assert self._crew is not None
         self._crew.ask_again()
         self._send(replace(sent, attempt=sent.attempt + 1))

@@ -178,7 +178,7 @@ def summarise(
     for submission in submissions:
         key = submission.student
         match = matches.get(key) or class_list.match_all({key: submission.origin})[key]
-        origin = _timed_origin(submission, match, class_list, times or {}, trust_times, used)
+        origin = _timed_origin(submission, match, times or {}, trust_times, used)
         days = 0
         if origin.handed_in is not None:
             days = class_list.days_late(origin.handed_in, match.people)
@@ -241,7 +241,6 @@ def _timed(row: Row) -> bool:
 def _timed_origin(
     submission: Submission,
     match: Match,
-    class_list: ClassList,
     times: Mapping[str, datetime],
     trust_times: bool,
     used: set[str],

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any
 
-from autograder.exchange.messages import Message
+from autograder.exchange.messages import Message, Value
 from autograder.kinds.answer import Answer
 from autograder.kinds.question import Question
 
@@ -41,7 +40,7 @@ class Drawn:
     """
 
     probe: Message
-    expected: Any = None
+    expected: Value = None
     shows_first: bool = False
     around: Around = NOTHING_AROUND
     tells: bool = True

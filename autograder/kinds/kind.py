@@ -14,7 +14,7 @@ from typing import Any, ClassVar, Generic, TypeVar
 
 import numpy as np
 
-from autograder.exchange.messages import Message
+from autograder.exchange.messages import Message, Value
 from autograder.kinds.answer import Alternative, Answer
 from autograder.kinds.drawn import Drawn
 from autograder.kinds.exercise import Exercise
@@ -143,7 +143,7 @@ class Kind(ABC, Generic[Q, A]):
         sent to the process that holds it.
         """
 
-    def example(self, drawn: Drawn) -> tuple[Message, Any] | None:
+    def example(self, drawn: Drawn) -> tuple[Message, Value] | None:
         """An input that students may see, with its right result, to draw beside theirs."""
         return None
 
@@ -252,7 +252,7 @@ class Kind(ABC, Generic[Q, A]):
         """
         return None
 
-    def variant(self, question: Q, written: object) -> Any:
+    def variant(self, question: Q, written: object) -> Value:
         """The response that an entry of ``solutions/variants`` stands for.
 
         It was written by the course's author: a function, or a text as a student types it.

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import asdict, dataclass
-from typing import Any
 
 import msgspec
 
+from autograder.exchange.messages import Value
 from autograder.kinds.question import Question
 from autograder.kinds.status import Status
 from autograder.language import N_, _
@@ -57,7 +57,7 @@ class Mark:
     parts: tuple[Part, ...] = ()
     explanation: str = ""
     understood: str = ""
-    shown: Any = None
+    shown: Value = None
     told: str = ""
     code: str = ""
     evidence: str = ""

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
+from autograder.exchange.messages import Value
 
-def pack(value: object) -> Any:
+
+def pack(value: object) -> Value:
     """Plain data with arrays as JSON."""
     if isinstance(value, np.ndarray):
         if value.dtype.kind == "c":
@@ -22,7 +22,7 @@ def pack(value: object) -> Any:
     return value
 
 
-def unpack(value: object) -> Any:
+def unpack(value: object) -> Value:
     """What `pack` made of plain data, as it was; named tuples are lists."""
     if isinstance(value, dict):
         if value.keys() == {"array", "dtype", "shape"}:

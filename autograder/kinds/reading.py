@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+
+from autograder.exchange.messages import Value
 
 LETTERS = "ABCDEFGH"
 
@@ -25,7 +26,7 @@ class Reading:
     returned: int
     remarks: tuple[str, ...]
 
-    def shown(self) -> dict[str, Any]:
+    def shown(self) -> dict[str, Value]:
         """What is asked, without what is true."""
         return {
             "codes": list(self.codes),
@@ -34,7 +35,7 @@ class Reading:
             "values": list(self.values),
         }
 
-    def mark(self, chosen: object, returned: object) -> dict[str, Any]:
+    def mark(self, chosen: object, returned: object) -> dict[str, Value]:
         """What is said of the two answers, which are numbers from 0."""
         found, computed = chosen == self.right, returned == self.returned
         said = []

@@ -257,10 +257,10 @@ def _variants(found: ClassFindings) -> str:
     return (
         table("Were all variants equally hard?", header, rows, {1, 2, 3, 5}, roomy=True)
         + '<p class="small soft">Chance: how often variants that are equally hard differ as '
-        "much as these, or more (the students of the variants were shuffled, 2000 times). Of twenty "
-        "questions, one has less than 0.05 by chance. Hardest: the variant with the lowest mean among those "
-        "that three students or more have, and how much less its students earned than all others, "
-        "with the range that holds the truth in 95 of 100 cases.</p>"
+        "much as these, or more (the students of the variants were shuffled, 2000 times). Of "
+        "twenty questions, one has less than 0.05 by chance. Hardest: the variant with the lowest "
+        "mean among those that three students or more have, and how much less its students earned "
+        "than all others, with the range that holds the truth in 95 of 100 cases.</p>"
     )
 
 

@@ -6,8 +6,6 @@ from collections.abc import Collection
 from dataclasses import dataclass
 from pathlib import Path
 
-from rich.console import Console
-
 from autograder.course import Course
 from autograder.errors import refuse_link
 from autograder.gradebook import ClassView, Gradebook, Record, view_class
@@ -32,7 +30,7 @@ class Options:
     class_list: ClassList | None = None
 
 
-def write_reports(course: Course, book: Gradebook, options: Options, console: Console) -> str:
+def write_reports(course: Course, book: Gradebook, options: Options) -> str:
     """Write the reports and say in half a sentence which ones."""
     out = options.out
     refuse_link(out / "feedback")

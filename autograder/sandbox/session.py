@@ -192,7 +192,9 @@ class Session:
             while True:
                 self._wait(deadline)
                 before = self._channel.received
-                answer = self._channel.receive(min(deadline, time.monotonic() + _MESSAGE_SECONDS))
+                answer: Message = self._channel.receive(
+                    min(deadline, time.monotonic() + _MESSAGE_SECONDS)
+                )
                 if _carries(answer, nonce) and "cell" not in answer:
                     return answer
                 self._stray_bytes += self._channel.received - before

@@ -10,6 +10,7 @@ from weakref import WeakSet
 from autograder.course import Course
 from autograder.course.predictions import Guess, Prediction
 from autograder.course.questions import Question
+from autograder.exchange.messages import Value, Values
 from autograder.exchange.responses import Entry
 from autograder.kinds.mark import Mark, not_attempted, stopped
 from autograder.kinds.registry import kind_of
@@ -41,7 +42,7 @@ class Desk:
         """What marks here; None where nothing can."""
         return marker_for(self.course)
 
-    def variables(self) -> dict[str, Any]:
+    def variables(self) -> Values:
         """The names that a typed formula may use: the notebook's."""
         shell = running_shell()
         return shell.user_ns if shell is not None else {}
@@ -191,7 +192,7 @@ class Desk:
         self.keep(question, lambda before: kept)
         return value
 
-    def typed(self, question: Question) -> Any:
+    def typed(self, question: Question) -> Value:
         """What was typed into the field of a question, ``...`` if nothing was."""
         response = self.entry(question).get("response")
         return ... if response is None else kind_of(question).typed_value(question, response)

@@ -107,7 +107,8 @@ class PracticeView(_View):
         self.summary = summary
 
     def lines(self) -> list[str]:
-        return [f"{self.summary} Practice needs JupyterLab or another program that shows widgets."]
+        said = _("Practice needs JupyterLab or another program that shows widgets.")
+        return [f"{self.summary} {said}"]
 
 
 class PredictionView(_View):

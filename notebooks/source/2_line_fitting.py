@@ -219,7 +219,7 @@ figures.cost_over_angle({"a flat wall": flat, "a steep wall": steep}, alpha_min)
 # lines through one of the points. Where the curves nearly meet, the points nearly agree. On the right is what you have just seen,
 # the cost over the angle.
 #
-# First turn the cloud, slowly, and watch the sentence above the pictures. Then drag
+# Predict, then turn the cloud slowly and watch the sentence above the pictures. After that, drag
 # the outlier (the square). The solid line is least squares; the dashed one is where most points agree, which is what
 # chapter 3 is about.
 

@@ -92,14 +92,15 @@ def test_a_class_list_elsewhere_is_remembered(classroom: Classroom, tmp_path: Pa
     assert "no class list" in capsys.readouterr().err
 
 
-def test_a_broken_class_list_is_said_before_anything_is_graded(listed: Classroom, capsys):
-    (listed.grades / "class.toml").write_text("[late]\n")
+@pytest.mark.parametrize("table", ["[late]\n", "[late]\ngrace_minutes = 3\n"])
+def test_a_broken_class_list_is_said_before_anything_is_graded(
+    listed: Classroom, table: str, capsys: pytest.CaptureFixture[str]
+):
+    (listed.grades / "class.toml").write_text(table)
     now = time.time()
     os.utime(listed.grades / "gradebook.db", (now, now))
-    assert listed.run("grade", "--regrade", str(listed.work)) == 0  # an empty table is no policy
-    (listed.grades / "class.toml").write_text("[late]\ngrace_minutes = 3\n")
     assert listed.run("grade", "--regrade", str(listed.work)) == 1
-    assert "has no `due`" in capsys.readouterr().err
+    assert "class.toml, line 1: in late, the field 'due' is missing" in capsys.readouterr().err
 
 
 def test_release_says_what_the_bundle_holds(classroom: Classroom, tmp_path: Path, capsys):

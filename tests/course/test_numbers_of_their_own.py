@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 from tiny_course import TinyCourse, make_tiny_course
 
+from autograder.authoring.proof_of_variants import prove_variants
 from autograder.course.filling import fill, fill_text
 from autograder.errors import CourseError
 from autograder.marking.marker import Marker
@@ -168,3 +169,18 @@ def test_braces_of_other_things_stay():
     assert fill({"id": "{w}", "title": ["{w}"], "a": {"b": 1}}, numbers) == {
         "id": "{w}", "title": ["0.2"], "a": {"b": 1},
     }  # fmt: skip
+
+
+def test_a_variant_that_breaks_the_question_is_named_with_its_numbers(market):
+    assert list(prove_variants(market.load())) == []
+    market.replace(
+        "notebooks/questions/kitchen.toml", "boxes = [3, 5, 7, 11]", "boxes = [3, 5, 0, 7]"
+    )
+    said = "\n".join(prove_variants(market.load()))
+    assert "Q7 with boxes = 0, price = 0.5 (and 4 more variants): the right answer is 0" in said
+    market.replace("notebooks/questions/kitchen.toml", "[3, 5, 0, 7]", "[3, 5, 8, 7]")
+    market.replace("solutions/answers/kitchen.toml", '"4 + boxes"', '"24 + boxes"')
+    # 4 * 8 is 24 + 8: whoever makes the mistake would be right.
+    said = "\n".join(prove_variants(market.load()))
+    assert "Q7 with boxes = 8" in said
+    assert "'added' is taken for 'right'" in said

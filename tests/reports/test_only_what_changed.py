@@ -4,7 +4,6 @@ import re
 from pathlib import Path
 
 import pytest
-from rich.console import Console
 
 from autograder.gradebook import Gradebook
 from autograder.gradebook.record import names_of
@@ -30,7 +29,7 @@ def plain(path: Path) -> str:
 
 
 def written(course, book: Gradebook, out: Path) -> None:
-    write_reports(course, book, Options(out), Console(quiet=True))
+    write_reports(course, book, Options(out))
 
 
 def test_a_page_is_written_again_only_if_it_would_say_something_else(course, tmp_path):

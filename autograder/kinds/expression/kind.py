@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from autograder.errors import UsageError
-from autograder.exchange.messages import Message
+from autograder.exchange.messages import Message, Value
 from autograder.kinds.answer import Alternative
 from autograder.kinds.code import CodeKind
 from autograder.kinds.drawn import Drawn
@@ -54,7 +54,7 @@ class ExpressionKind(CodeKind[Expression, ExpressionAnswer]):
 
         return read_expression(question, text), text.strip()
 
-    def typed_value(self, question: Expression, response: Any) -> object:
+    def typed_value(self, question: Expression, response: Value) -> object:
         from autograder.kinds.expression.inside.typed import read_expression
 
         try:
@@ -131,7 +131,7 @@ class ExpressionKind(CodeKind[Expression, ExpressionAnswer]):
     ) -> Trial:
         return ExpressionTrial(question, answer, draw)
 
-    def variant(self, question: Expression, written: Any) -> Any:
+    def variant(self, question: Expression, written: Value) -> Value:
         from autograder.kinds.expression.inside.typed import in_a_cell
 
         return in_a_cell(written)

@@ -75,7 +75,7 @@ def diagnose_function(
             for i in wrong
         ):
             return Diagnosis(name, f"It looks as if {words}.")
-    return _linear(right, outcomes, order, [i for i in asked if verdicts[i]])
+    return _linear(right, outcomes, order)
 
 
 def _never_a_value(outcomes: Sequence[Value], wrong: Sequence[int]) -> Diagnosis | None:
@@ -134,7 +134,6 @@ def _linear(
     right: Sequence[Values],
     outcomes: Sequence[Value],
     order: Sequence[int],
-    unchanged: Sequence[int],
 ) -> Diagnosis | None:
     """All numbers are the right ones times a constant, plus another."""
     given, wanted = [], []

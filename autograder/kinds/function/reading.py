@@ -8,11 +8,11 @@ import inspect
 import textwrap
 from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
 from autograder.course.loading import load_object
+from autograder.exchange.messages import Value
 from autograder.kinds.drawn import Drawn
 from autograder.kinds.function.answer import FunctionAnswer
 from autograder.kinds.function.question import Function
@@ -79,7 +79,7 @@ def draw_reading(
     )
 
 
-def _code(function: Any, name: str) -> str:
+def _code(function: Value, name: str) -> str:
     """The source without its docstring and comments, which tell what is wrong with a mistake."""
     tree = ast.parse(textwrap.dedent(inspect.getsource(function)))
     definition = tree.body[0]
@@ -115,7 +115,7 @@ def _is_readable(code: str, known: set[str]) -> bool:
     return len(code.splitlines()) <= MOST_LINES and _free_names(code) <= known
 
 
-def _short_calls(cases: Sequence[dict[str, Any]]) -> Iterator[int]:
+def _short_calls(cases: Sequence[dict[str, Value]]) -> Iterator[int]:
     """The cases that can be written down in a line; a generator of random numbers cannot."""
     for at, case in enumerate(cases):
         values = [*case["args"], *case.get("kwargs", {}).values()]
@@ -125,19 +125,19 @@ def _short_calls(cases: Sequence[dict[str, Any]]) -> Iterator[int]:
             yield at
 
 
-def _call(name: str, case: dict[str, Any]) -> str:
+def _call(name: str, case: dict[str, Value]) -> str:
     given = [_written(value) for value in case["args"]]
     given += [f"{key}={_written(value)}" for key, value in case.get("kwargs", {}).items()]
     return f"{name}({', '.join(given)})"
 
 
-def _differ(*outcomes: Any) -> bool:
+def _differ(*outcomes: Value) -> bool:
     """Whether each can be written down, and no two look alike."""
     written = [_value(outcome) for outcome in outcomes]
     return "" not in written and len(set(written)) == len(written)
 
 
-def _value(outcome: dict[str, Any]) -> str:
+def _value(outcome: dict[str, Value]) -> str:
     """What a call gave, to be read; empty if it gave nothing that can be shown in a line."""
     if "value" not in outcome:
         return ""
@@ -145,13 +145,13 @@ def _value(outcome: dict[str, Any]) -> str:
     return text if len(text) <= MOST_IN_A_CALL else ""
 
 
-def _written(value: Any, most: int = 3 * MOST_NUMBERS) -> str:
+def _written(value: Value, most: int = 3 * MOST_NUMBERS) -> str:
     """A value in plain lists, with four digits; empty if it is anything else."""
     plain = shown_value(value, most)
     return "" if plain is None else _digits(plain)
 
 
-def _digits(value: Any) -> str:
+def _digits(value: Value) -> str:
     if isinstance(value, list):
         return f"[{', '.join(map(_digits, value))}]"
     return f"{value + 0.0:.4g}" if isinstance(value, float) else str(value)

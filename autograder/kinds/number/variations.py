@@ -316,7 +316,8 @@ def _evaluated(node: ast.AST, numbers: Mapping[str, float]) -> float:
 
 
 def _cut(value: float, digits: int) -> float:
-    return math.floor(value * 10**digits) / 10**digits
+    cut: float = math.floor(value * 10**digits) / 10**digits
+    return cut
 
 
 _SHORTER: tuple[Callable[[float, int], float], ...] = (round, _cut)

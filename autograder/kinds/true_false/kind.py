@@ -11,6 +11,7 @@ from autograder.kinds.true_false import response as given
 from autograder.kinds.true_false.answer import TrueFalseAnswer
 from autograder.kinds.true_false.marking import mark_true_false
 from autograder.kinds.true_false.question import TrueFalse
+from autograder.language import _
 
 if TYPE_CHECKING:
     from autograder.kinds.true_false.widget import TrueFalseWidget
@@ -65,7 +66,7 @@ class TrueFalseKind(ChoiceKind[TrueFalse, TrueFalseAnswer]):
         words = [word.strip() for word in mark.understood.split(",")]
         words += ["–"] * (len(question.statements) - len(words))
         return [
-            f"{statement} **{word}**"
+            f"{statement} **{_(word)}**"
             for statement, word in zip(question.statements, words, strict=False)
         ]
 
@@ -79,7 +80,7 @@ class TrueFalseKind(ChoiceKind[TrueFalse, TrueFalseAnswer]):
         self, question: TrueFalse, mark: Mark, drawn: Sequence[int] = ()
     ) -> list[str]:
         words = [word.strip() for word in mark.understood.split(",")]
-        labels = [part.label.lower() for part in mark.parts]
+        labels = [f"statement {number}" for number in range(1, len(mark.parts) + 1)]
         if len(drawn) == len(labels):  # the same place holds another statement for others
             labels = [f"statement {number} of the bank" for number in drawn]
         return [

@@ -6,7 +6,7 @@ from autograder.kinds.mark import Mark, Part, not_attempted, status_for, stopped
 from autograder.kinds.true_false.answer import TrueFalseAnswer
 from autograder.kinds.true_false.question import TrueFalse
 from autograder.kinds.true_false.response import chosen
-from autograder.language import _, n_
+from autograder.language import N_, _, n_
 
 
 def mark_true_false(question: TrueFalse, answer: TrueFalseAnswer, response: object) -> Mark:
@@ -55,5 +55,7 @@ def mark_true_false(question: TrueFalse, answer: TrueFalseAnswer, response: obje
         alternative="right" if credit == 1 else None,
         parts=tuple(parts),
         explanation=answer.explanation,
-        understood=", ".join({True: "true", False: "false", None: "–"}[said] for said in choices),
+        understood=", ".join(
+            {True: N_("true"), False: N_("false"), None: "–"}[said] for said in choices
+        ),
     )

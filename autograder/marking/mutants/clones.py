@@ -12,7 +12,8 @@ import textwrap
 from collections.abc import Callable, Mapping
 from pathlib import Path
 from types import CodeType, FunctionType
-from typing import Any
+
+from autograder.exchange.messages import Value
 
 
 def reachable(function: FunctionType, root: Path) -> list[FunctionType]:
@@ -71,7 +72,7 @@ def with_changed(
     names |= more or {}
     module = ast.Module(body=[tree], type_ignores=[])
     code: CodeType = compile(module, "<mutant>", "exec", dont_inherit=True, flags=_annotations())
-    made: dict[str, Any] = {}
+    made: dict[str, Value] = {}
     exec(code, names, made)
     clones[changed] = made[changed.__name__]
     for own in modules.values():

@@ -22,7 +22,7 @@ from typing import Any
 
 import numpy as np
 
-from autograder.exchange.messages import Message
+from autograder.exchange.messages import Message, Value
 from autograder.sandbox.inside.evaluate import describe, evaluate
 from autograder.sandbox.inside.exceptions import after_import, tell
 from autograder.sandbox.inside.plain_data import is_plain
@@ -112,7 +112,7 @@ class Notebook:
         value = self._shell.user_ns.get(name)
         return type(value) in _PLAIN or ("sympy" in sys.modules and is_plain(value))
 
-    def evaluate_within(self, seconds: float, name: str, probe: dict[str, object]) -> Any:
+    def evaluate_within(self, seconds: float, name: str, probe: dict[str, object]) -> Value:
         """As `evaluate`, interrupted after some seconds.
 
         Raises:

@@ -102,7 +102,7 @@ class Zygote:
             Path("/proc/self/oom_score_adj").write_text("1000", encoding="utf-8")
         self._work = Path(how.scratch) / "work"
         self._sweep()
-        _bring_font_list(self._work)
+        _bring_font_list()
         os.chdir(self._work / "notebooks")
         self._notebook = warm(with_course=True)
         os.environ.pop("LD_LIBRARY_PATH", None)  # set by OpenCV, and names its folder
@@ -308,7 +308,7 @@ def _short_of(error: BaseException) -> dict[str, object]:
     return {"short": number, "where": str(where or "")[:300]}
 
 
-def _bring_font_list(work: Path) -> None:
+def _bring_font_list() -> None:
     """Copy matplotlib's list of fonts, which takes a second to make, to where it looks for it."""
     cache = os.environ.get("AUTOGRADER_FONT_LIST")
     target = Path(os.environ["MPLCONFIGDIR"])

@@ -72,6 +72,7 @@ def _number(text: str) -> int | float | str:
         raise UsageError(f"{name} is not a number here.")
 
     try:
-        return value_of(parse(text.strip().removesuffix("%")), no_name, {})
+        number: int | float | str = value_of(parse(text.strip().removesuffix("%")), no_name, {})
+        return number
     except (ArithmeticError, ValueError, TypeError) as error:
         raise UsageError(f"This has no value: {str(error).rstrip('.')}.") from None
