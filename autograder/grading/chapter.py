@@ -10,7 +10,7 @@ from dataclasses import dataclass, field, replace
 
 from autograder.course import Chapter, Course
 from autograder.course.questions import Question
-from autograder.exchange.messages import Evaluation, Outcome, Told
+from autograder.exchange.messages import Evaluation, Message, Outcome, Told
 from autograder.exchange.reasons import REASONS
 from autograder.exchange.replies import NOT_PLAIN
 from autograder.grading.told import defining_cell, import_notes, in_words, shown_code
@@ -108,7 +108,7 @@ class _Ran:
     """What a student's process said when it had run the cells, of any shape, or why it did not."""
 
     responses: dict[str, object] = field(default_factory=dict)
-    understood: dict[str, str] = field(default_factory=dict)
+    understood: dict[str, object] = field(default_factory=dict)
     errors: list[str | None] = field(default_factory=list)
     told: list[Told | None] = field(default_factory=list)
     failure: Stopped | None = None
@@ -121,7 +121,14 @@ def _run_notebook(work: _Work, asked: Sequence[Question], session: Session) -> _
         report = session.run(work.cells, [question.name for question in asked if question.name])
     except Stopped as stop:
         return _Ran(failure=stop)
-    return _Ran(report["responses"], report["understood"], report["errors"], report["told"])
+    # Once more of any shape: this is where points come from.
+    told, errors = report.get("told"), report.get("errors")
+    return _Ran(
+        _dictionary(report.get("responses")),
+        _dictionary(report.get("understood")),
+        errors if isinstance(errors, list) else [],
+        told if isinstance(told, list) else [],
+    )
 
 
 def _mark_without_asking(question: Question, work: _Work, ran: _Ran, marker: Marker) -> Mark | None:
@@ -285,3 +292,7 @@ def _line(value: object) -> str:
     """One short printable line of what a student's process said; it may have said anything."""
     text = value if isinstance(value, str) else ""
     return "".join(c if c.isprintable() else " " for c in text[:200])
+
+
+def _dictionary(value: object) -> Message:
+    return value if isinstance(value, dict) else {}
