@@ -46,7 +46,7 @@ def _along(points: np.ndarray, r: float, alpha: float) -> np.ndarray:
     """Return the two ends, shape (2, 2), of the part of a line that lies beside the points."""
     normal = np.array([math.cos(alpha), math.sin(alpha)])
     along = np.array([-normal[1], normal[0]])
-    centre = points.mean(axis=0)
-    foot = centre + (r - centre @ normal) * normal
-    reach = 1.1 * float(np.linalg.norm(points - centre, axis=1).max())
+    center = points.mean(axis=0)
+    foot = center + (r - center @ normal) * normal
+    reach = 1.1 * float(np.linalg.norm(points - center, axis=1).max())
     return np.array([foot - reach * along, foot + reach * along])

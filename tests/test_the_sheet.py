@@ -98,7 +98,7 @@ def test_the_two_cards_of_the_same_text_are_interchangeable(marker):
     assert marker.mark("Q1.2", cards(marker, places)).status == "right"
 
 
-def test_every_other_exchange_of_two_neighbours_costs_one_move(marker):
+def test_every_other_exchange_of_two_neighbors_costs_one_move(marker):
     for at in range(11):
         places = list(range(1, 13))
         places[at], places[at + 1] = places[at + 1], places[at]

@@ -18,7 +18,7 @@ class Around:
     ``numbers`` those that the chapter's notebook gives to names, such as ``w = 0.2``.
     """
 
-    neighbours: tuple[tuple[Question, Answer], ...] = ()
+    neighbors: tuple[tuple[Question, Answer], ...] = ()
     numbers: Mapping[str, float] = field(default_factory=dict)
 
 

@@ -23,7 +23,7 @@ from autograder.reports.statistics import (
 from autograder.reports.svg import (
     BLUE,
     DARK,
-    GREY,
+    GRAY,
     ORANGE,
     PURPLE,
     RED,
@@ -37,7 +37,7 @@ _BANDS = (
     (("partial",), "partly right", ORANGE, "stripes"),
     (("wrong",), "wrong", RED, "crosses"),
     (STOPPED, "exception, limit or unreadable", PURPLE, "dots"),
-    (("not attempted", "recorded"), "not attempted", GREY, "lines"),
+    (("not attempted", "recorded"), "not attempted", GRAY, "lines"),
 )
 _MOST_MISTAKES = 20
 
@@ -126,9 +126,7 @@ def _broken(statistics: Sequence[QuestionStatistics], count: int) -> str:
 
 
 def _questions(statistics: Sequence[QuestionStatistics]) -> str:
-    key = "".join(
-        f"<li>{swatch(colour, pattern)}{name}</li>" for _, name, colour, pattern in _BANDS
-    )
+    key = "".join(f"<li>{swatch(color, pattern)}{name}</li>" for _, name, color, pattern in _BANDS)
     rows = []
     for entry in statistics:
         counts = [sum(entry.statuses[s] for s in band) for band, _, _, _ in _BANDS]
@@ -168,10 +166,10 @@ def _bands(statistics: Sequence[QuestionStatistics]) -> str:
     for index, entry in enumerate(statistics):
         count = max(1, sum(entry.statuses.values()))
         start = 0.0
-        for band, _, colour, pattern in _BANDS:
+        for band, _, color, pattern in _BANDS:
             share = 100 * sum(entry.statuses[status] for status in band) / count
             if share:
-                chart.box(start, index + 0.12, start + share, index + 0.88, colour, pattern)
+                chart.box(start, index + 0.12, start + share, index + 0.88, color, pattern)
             start += share
         chart.label(58, chart.y(index + 0.5) + 4, entry.question.id, "end")
         said.append(f"{entry.question.id} {100 * entry.statuses['right'] / count:.0f} % right")

@@ -68,21 +68,21 @@ def draw(described: Message) -> str:
         return ""
     low, high = everything.min(axis=0), everything.max(axis=0)
     reach = max(float((high - low).max()), 1e-6) * 1.12
-    centre = (low + high) / 2
-    x_range, y_range = ((float(c) - reach / 2, float(c) + reach / 2) for c in centre)
+    center = (low + high) / 2
+    x_range, y_range = ((float(c) - reach / 2, float(c) + reach / 2) for c in center)
     chart = Chart(_SIZE, _SIZE - 22, x_range, y_range, left=54, right=10, top=10, bottom=44)
     # Equal scales: the inner area is square.
     chart.height = _SIZE - 54 - 10 + 10 + 44
     chart.axes(str(described["x_label"]), str(described["y_label"]))
     key = []
     for kind, xy, label in layers:
-        colour = _LOOKS.get(kind, BLUE)
+        color = _LOOKS.get(kind, BLUE)
         if kind == "points":
             for x, y in xy:
-                chart.dot(float(x), float(y), colour)
+                chart.dot(float(x), float(y), color)
         else:
             dash = "7 5" if kind == "expected" else ""
-            chart.line([(float(x), float(y)) for x, y in xy], colour, 3, dash)
-        key.append(f"<li>{swatch(colour)}{text(label)}</li>")
+            chart.line([(float(x), float(y)) for x, y in xy], color, 3, dash)
+        key.append(f"<li>{swatch(color)}{text(label)}</li>")
     picture = chart.svg(str(described["title"]), str(described["alt"]))
     return f'<figure>{picture}<figcaption><ul class="key">{"".join(key)}</ul></figcaption></figure>'

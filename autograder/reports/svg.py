@@ -13,7 +13,7 @@ from autograder.reports.patterns import fill_of
 # Okabe and Ito's colours, which colour-blind readers tell apart.
 # The page's style gives some of them another value on a dark page.
 BLUE, ORANGE, RED, GREEN, PURPLE = "var(--blue)", "#E69F00", "#D55E00", "#009E73", "#CC79A7"
-GREY, DARK, LINE = "var(--grey)", "var(--dark)", "var(--line)"
+GRAY, DARK, LINE = "var(--grey)", "var(--dark)", "var(--line)"
 _ids = count(1)
 
 
@@ -46,32 +46,32 @@ class Chart:
         return round(self.height - self.bottom - (value - low) / (high - low) * inner, 2)
 
     def box(
-        self, x0: float, y0: float, x1: float, y1: float, colour: str, pattern: str = ""
+        self, x0: float, y0: float, x1: float, y1: float, color: str, pattern: str = ""
     ) -> None:
         """A filled rectangle between two corners in data coordinates, with a pattern over it."""
         left, right = sorted((self.x(x0), self.x(x1)))
         top, bottom = sorted((self.y(y0), self.y(y1)))
-        for fill in (colour, fill_of(pattern)) if pattern else (colour,):
+        for fill in (color, fill_of(pattern)) if pattern else (color,):
             self._parts.append(
                 f'<rect x="{left}" y="{top}" width="{max(right - left, 0):.2f}" '
                 f'height="{max(bottom - top, 0):.2f}" fill="{fill}" stroke="var(--paper)"/>'
             )
 
     def line(
-        self, points: Iterable[tuple[float, float]], colour: str, width: float = 2, dash: str = ""
+        self, points: Iterable[tuple[float, float]], color: str, width: float = 2, dash: str = ""
     ) -> None:
         """A line through points in data coordinates."""
         path = " ".join(f"{self.x(x)},{self.y(y)}" for x, y in points)
         dashed = f' stroke-dasharray="{dash}"' if dash else ""
         self._parts.append(
-            f'<polyline points="{path}" fill="none" stroke="{colour}" '
+            f'<polyline points="{path}" fill="none" stroke="{color}" '
             f'stroke-width="{width}"{dashed}/>'
         )
 
-    def dot(self, x: float, y: float, colour: str, radius: float = 4.5) -> None:
+    def dot(self, x: float, y: float, color: str, radius: float = 4.5) -> None:
         """A point."""
         self._parts.append(
-            f'<circle cx="{self.x(x)}" cy="{self.y(y)}" r="{radius}" fill="{colour}" '
+            f'<circle cx="{self.x(x)}" cy="{self.y(y)}" r="{radius}" fill="{color}" '
             'stroke="var(--paper)"/>'
         )
 
@@ -142,7 +142,7 @@ def histogram(
     return chart.svg(title, "Students in each bin. " + "; ".join(said) + ".")
 
 
-def bar(share: float, title: str, colour: str = BLUE) -> str:
+def bar(share: float, title: str, color: str = BLUE) -> str:
     """A bar that is filled to a share of its length."""
     share = min(1.0, max(0.0, share))
     number = next(_ids)
@@ -150,14 +150,14 @@ def bar(share: float, title: str, colour: str = BLUE) -> str:
         f'<svg role="img" aria-labelledby="t{number}" viewBox="0 0 400 12" width="400" height="12">'
         f'<title id="t{number}">{text(title)}</title>'
         f'<rect width="400" height="12" rx="6" fill="{LINE}"/>'
-        f'<rect width="{400 * share:.1f}" height="12" rx="6" fill="{colour}"/></svg>'
+        f'<rect width="{400 * share:.1f}" height="12" rx="6" fill="{color}"/></svg>'
     )
 
 
-def swatch(colour: str, pattern: str = "") -> str:
+def swatch(color: str, pattern: str = "") -> str:
     """A small square of a colour, with a pattern over it, for a key."""
     over = f'<rect width="12" height="12" rx="2" fill="{fill_of(pattern)}"/>' if pattern else ""
     return (
         '<svg aria-hidden="true" viewBox="0 0 12 12" width="12" height="12">'
-        f'<rect width="12" height="12" rx="2" fill="{colour}"/>{over}</svg>'
+        f'<rect width="12" height="12" rx="2" fill="{color}"/>{over}</svg>'
     )

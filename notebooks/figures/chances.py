@@ -172,12 +172,12 @@ def noisy_inliers(
     fig = figure(8, 3.4)
     left, right = fig.subplots(1, 2, sharey=True, sharex=True)
     said = []
-    for axes, kept, colour, name in (
+    for axes, kept, color, name in (
         (left, raw, ORANGE, "best guess"),
         (right, refitted, GREEN, "after refitting"),
     ):
         axes.hist(
-            100 * np.array(kept), bins=np.arange(30, 102, 2.5), color=colour, edgecolor="white"
+            100 * np.array(kept), bins=np.arange(30, 102, 2.5), color=color, edgecolor="white"
         )
         axes.axvline(90, color="black", linestyle=":")
         share = np.count_nonzero(np.array(kept) >= 0.9) / runs
@@ -199,7 +199,7 @@ def growth(required_iterations: Callable[..., Any], sizes: dict[str, int], p: fl
     fig = figure(8, 3.8)
     axes = fig.subplots()
     ratios = np.linspace(0.1, 0.95, 86)
-    for (name, size), style, colour in zip(
+    for (name, size), style, color in zip(
         sizes.items(), ("-", "--", ":"), (BLUE, VERMILLION, GREEN), strict=False
     ):
         numbers = [attempt(required_iterations, p, float(ratio), size) for ratio in ratios]
@@ -207,7 +207,7 @@ def growth(required_iterations: Callable[..., Any], sizes: dict[str, int], p: fl
             note(axes, not_written(required_iterations))
             break
         label = f"{name} (sample of {size})"
-        axes.semilogy(100 * ratios, numbers, style, color=colour, linewidth=2.5, label=label)
+        axes.semilogy(100 * ratios, numbers, style, color=color, linewidth=2.5, label=label)
     else:
         axes.legend()
     axes.set_xlabel("share of inliers w [%]")

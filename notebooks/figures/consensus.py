@@ -8,8 +8,8 @@ from matplotlib.axes import Axes
 
 from notebooks.figures.style import (
     BLUE,
+    GRAY,
     GREEN,
-    GREY,
     ORANGE,
     SKY,
     VERMILLION,
@@ -126,7 +126,7 @@ def found_line(
     _frame(axes, points)
     found = attempt(ransac_line, points, threshold, iterations, np.random.default_rng(1))
     if found is None:
-        axes.plot(*points.T, "o", color=GREY, markersize=4)
+        axes.plot(*points.T, "o", color=GRAY, markersize=4)
         note(axes, not_written(ransac_line))
         show(fig, f"{len(points)} points. {not_written(ransac_line)}")
         return

@@ -7,8 +7,8 @@ from matplotlib.axes import Axes
 
 from notebooks.figures.style import (
     BLUE,
+    GRAY,
     GREEN,
-    GREY,
     ORANGE,
     VERMILLION,
     draw_line,
@@ -70,7 +70,7 @@ def cost_over_angle(clouds: dict[str, np.ndarray], angle: Any = None) -> None:
         above, below = panels[:, column]
         _cloud(above, points, reach, turns, valley, hill)
         above.set_title(name)
-        below.plot(np.degrees(turns), costs, color=GREY, linewidth=2)
+        below.plot(np.degrees(turns), costs, color=GRAY, linewidth=2)
         below.plot(np.degrees(turns[valley]), costs[valley], "o", color=GREEN, markersize=10)
         below.plot(np.degrees(turns[hill]), costs[hill], "s", color=VERMILLION, markersize=9)
         found = _value(angle, points)
@@ -109,12 +109,12 @@ def _cloud(
     axes.plot(*points.T, "o", color=BLUE, markersize=4)
     axes.set_xlim(-1, 5)
     axes.set_ylim(-0.5, 4)
-    for index, colour, style in ((valley, GREEN, "-"), (hill, VERMILLION, "--")):
+    for index, color, style in ((valley, GREEN, "-"), (hill, VERMILLION, "--")):
         draw_line(
             axes,
             reach[:, index].mean(),
             turns[index],
-            color=colour,
+            color=color,
             linestyle=style,
             linewidth=2,
             label="valley of S" if index == valley else "hill of S",

@@ -7,8 +7,8 @@ import numpy as np
 
 from notebooks.figures.style import (
     BLUE,
+    GRAY,
     GREEN,
-    GREY,
     LIGHT,
     ORANGE,
     attempt,
@@ -63,15 +63,15 @@ def way_down(
         for row, (x, y) in enumerate(centers):
             parent = middle if level == 0 else levels[0][row // branching, 0]
             chosen = (level, row) in on_way
-            colour = GREEN if chosen else LIGHT
-            axes.plot([parent, x], [2 - level, 1 - level], color=colour, lw=4 if chosen else 1.5)
+            color = GREEN if chosen else LIGHT
+            axes.plot([parent, x], [2 - level, 1 - level], color=color, lw=4 if chosen else 1.5)
             axes.plot(x, 1 - level, "s", color=ORANGE, markersize=13, mec="black", zorder=3)
             label = f"row {row}\n({x:g}, {y:g})"
             if level == len(levels) - 1:
                 axes.text(x, 0.8 - level, label, ha="center", va="top")
             else:
                 axes.text(x + 0.5, 1.05 - level, label, va="center")
-        axes.text(-4, 1 - level, f"levels[{level}]", ha="center", va="center", color=GREY)
+        axes.text(-4, 1 - level, f"levels[{level}]", ha="center", va="center", color=GRAY)
     axes.plot(middle, 2, "ko", markersize=12)
     x, y = descriptor
     axes.plot(x, 2, "*", color=BLUE, markersize=18)
@@ -88,7 +88,7 @@ def occurrences(
     fig = figure(6, 2.6)
     axes = fig.subplots()
     for image, words in enumerate(words_by_image):
-        axes.plot(words, [image] * len(words), "o", color="white", mec=GREY, markersize=20, mew=2)
+        axes.plot(words, [image] * len(words), "o", color="white", mec=GRAY, markersize=20, mew=2)
     given = attempt(build_inverted_file, words_by_image, word_count)
     if given is None:
         note(axes, not_written(build_inverted_file))

@@ -7,7 +7,7 @@ import numpy as np
 from notebooks.figures.consensus import _band, _frame, _votes
 from notebooks.figures.style import (
     BLUE,
-    GREY,
+    GRAY,
     ORANGE,
     VERMILLION,
     draw_line,
@@ -35,7 +35,7 @@ def ransac_steps(points: np.ndarray, run: Any, threshold: float) -> None:
     _votes(scene, points, inliers, size=4)
     scene.plot(*points[list(run.pair)].T, "o", color=ORANGE, markersize=9, mec="black", zorder=5)
     drawn = np.arange(1, len(run.asked) + 1)
-    asked.semilogy(drawn, drawn, "--", color=GREY, label="drawn = asked for")
+    asked.semilogy(drawn, drawn, "--", color=GRAY, label="drawn = asked for")
     asked.step(drawn, run.asked, where="post", color=BLUE, label="asked for")
     asked.set_xlabel("samples drawn")
     asked.set_ylabel("samples asked for")
@@ -53,9 +53,9 @@ def cloud_views(points: np.ndarray, predicted: str | None = None) -> None:
     """Draw points, of which the last is an outlier, their cost over r and alpha, and over alpha."""
     fig = figure(8, 3.2)
     scene, space, cost = fig.subplots(1, 3)
-    centre = points.mean(axis=0)
-    normals = np.linalg.svd(points - centre)[2][::-1]  # the valley's, then the hill's
-    stationary = [_half_turn(normal, centre) for normal in normals]
+    center = points.mean(axis=0)
+    normals = np.linalg.svd(points - center)[2][::-1]  # the valley's, then the hill's
+    stationary = [_half_turn(normal, center) for normal in normals]
     valley, hill = stationary
 
     plan(scene, f"normal at {np.degrees(valley[1]):.0f}°")

@@ -10,7 +10,7 @@ from matplotlib.ticker import ScalarFormatter
 
 from notebooks.figures.style import (
     BLUE,
-    GREY,
+    GRAY,
     LIGHT,
     ORANGE,
     figure,
@@ -75,19 +75,19 @@ def compare_features(
     clock, dots = fig.subplots(1, 2, width_ratios=[1, 4])
     order: list[int] = []
     said = []
-    for row, (name, (detector, norm, colour, marker)) in enumerate(_detectors(count).items()):
+    for row, (name, (detector, norm, color, marker)) in enumerate(_detectors(count).items()):
         found, seconds = {}, []
         for photo, image in images.items():
-            grey = cv2.cvtColor(image, cv2.COLOR_RGB2GRAY)
+            gray = cv2.cvtColor(image, cv2.COLOR_RGB2GRAY)
             start = time.perf_counter()
-            found[photo] = detector.detectAndCompute(grey, None)
+            found[photo] = detector.detectAndCompute(gray, None)
             seconds.append(time.perf_counter() - start)
         right = np.array([two_views(found[a], found[b], norm).agree.sum() for a, b in listed])
         chance = max(int(two_views(found[a], found[b], norm).agree.sum()) for a, b in strangers)
         order = order or np.argsort(-right, kind="stable").tolist()
-        clock.bar(row, 1000 * np.median(seconds), width=0.6, color=colour)
-        dots.plot(right[order], marker, color=colour, label=name, markersize=7)
-        dots.axhspan(1, chance, color=GREY, alpha=0.2, lw=0, label=None if row else "by chance")
+        clock.bar(row, 1000 * np.median(seconds), width=0.6, color=color)
+        dots.plot(right[order], marker, color=color, label=name, markersize=7)
+        dots.axhspan(1, chance, color=GRAY, alpha=0.2, lw=0, label=None if row else "by chance")
         clear = int((right > chance).sum())
         said.append(f"{name}: {clear} of {len(listed)} pairs are above its chance of {chance}")
     clock.set_xticks(range(2), ["SIFT", "ORB"])

@@ -7,8 +7,8 @@ import numpy as np
 
 from notebooks.figures.style import (
     BLUE,
+    GRAY,
     GREEN,
-    GREY,
     ORANGE,
     PREDICTED,
     SKY,
@@ -37,7 +37,7 @@ def scan(points: np.ndarray, wall: np.ndarray | None = None) -> None:
     plan(axes, f"{len(points)} laser points, seen from above")
     beams = np.stack([np.zeros_like(points), points, np.full_like(points, np.nan)], axis=1)
     axes.plot(*beams.reshape(-1, 2).T, color=SKY, linewidth=0.4, alpha=0.7)
-    axes.plot(*points.T, ".", color=GREY, markersize=4)
+    axes.plot(*points.T, ".", color=GRAY, markersize=4)
     if wall is not None:
         axes.plot(*wall.T, "o", color=BLUE, markersize=4, label=f"a wall ({len(wall)} points)")
         axes.legend(loc="best")
@@ -181,7 +181,7 @@ def scattered_fits(
     exact = wall - np.outer(wall @ normal - line[0], normal)
     fits = np.array([fit_line(exact + rng.normal(0, sigma, exact.shape)) for _ in range(times)])
     change = (fits - np.asarray(line, dtype=float)) * [1000, 180 / np.pi]
-    axes.plot(*change.T, ".", color=GREY, markersize=3, label=f"{times} fits")
+    axes.plot(*change.T, ".", color=GRAY, markersize=3, label=f"{times} fits")
     scale = np.diag([1000, 180 / np.pi])
     values, vectors = np.linalg.eigh(scale @ np.asarray(covariance, dtype=float) @ scale)
     turn = np.linspace(0, 2 * np.pi, 200)

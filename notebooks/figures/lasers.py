@@ -7,7 +7,7 @@ import numpy as np
 
 from notebooks.figures.style import (
     BLUE,
-    GREY,
+    GRAY,
     ORANGE,
     attempt,
     figure,
@@ -63,12 +63,12 @@ def laser_errors(
             turn = (found[1] - alpha + np.pi) % (2 * np.pi) - np.pi
             fits.append((found[0] - r, turn))
         spread[name] = np.sqrt((np.array(fits) ** 2).mean(axis=0))  # a bias counts as well
-    colours = [GREY, BLUE, BLUE, ORANGE]
+    colors = [GRAY, BLUE, BLUE, ORANGE]
     for axes, entry, scale, label in zip(
         panels, (0, 1), (1000, 180 / np.pi), ("r [mm]", "α [°]"), strict=True
     ):
         values = [scale * float(both[entry]) for both in spread.values()]
-        bars = axes.barh(range(len(values)), values, color=colours, height=0.6)
+        bars = axes.barh(range(len(values)), values, color=colors, height=0.6)
         axes.bar_label(bars, [f" {value:.2g}" for value in values], fontsize=9)
         axes.set_yticks(range(len(values)), list(spread) if entry == 0 else [""] * len(values))
         axes.invert_yaxis()

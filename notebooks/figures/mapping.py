@@ -7,7 +7,7 @@ import numpy as np
 
 from notebooks.figures.style import (
     BLUE,
-    GREY,
+    GRAY,
     LIGHT,
     ORANGE,
     PALETTE,
@@ -42,7 +42,7 @@ def walls_of_scan(
     fig = figure(8, 4.6)
     axes = fig.subplots()
     plan(axes)
-    axes.plot(*points.T, ".", color=GREY, markersize=4)
+    axes.plot(*points.T, ".", color=GRAY, markersize=4)
     axes.plot(0, 0, marker=(3, 0, -90), color=ORANGE, markersize=12, mec="black")
     rng = np.random.default_rng(0)
     walls = attempt(find_walls, points, threshold, iterations, min_points, rng)
@@ -51,10 +51,10 @@ def walls_of_scan(
         show(fig, not_written(find_walls))
         return
     for number, (line, indices) in enumerate(walls, start=1):
-        colour = PALETTE[(number - 1) % len(PALETTE)]
-        axes.plot(*points[indices].T, "o", color=colour, markersize=4)
+        color = PALETTE[(number - 1) % len(PALETTE)]
+        axes.plot(*points[indices].T, "o", color=color, markersize=4)
         ends = _ends(points[indices], line)
-        axes.plot(*ends.T, color=colour, linewidth=2, label=f"wall {number}: {len(indices)} points")
+        axes.plot(*ends.T, color=color, linewidth=2, label=f"wall {number}: {len(indices)} points")
     if walls:
         axes.legend(loc="upper left", bbox_to_anchor=(1, 1), frameon=False)
     axes.set_title(f"{len(walls)} walls in {len(points)} points")

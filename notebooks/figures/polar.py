@@ -6,8 +6,8 @@ from matplotlib.patches import Arc
 
 from notebooks.figures.style import (
     BLUE,
+    GRAY,
     GREEN,
-    GREY,
     VERMILLION,
     draw_line,
     figure,
@@ -29,7 +29,7 @@ def steep_walls(wall: np.ndarray, degrees: tuple[float, ...] = (20, 70, 85, 90))
         x, y = (wall @ np.array([[cosine, sine], [-sine, cosine]])).T
         slope, intercept = np.polyfit(x, y, 1)
         slopes.append(slope)
-        axes.plot(x, y, ".", color=GREY, markersize=5)
+        axes.plot(x, y, ".", color=GRAY, markersize=5)
         ends = np.array([-3.0, 3.0])
         axes.plot(ends, slope * ends + intercept, color=VERMILLION, linewidth=2)
         plan(axes, f"wall at {turn:.0f}°\nm = {slope:.2f}, true {_tangent(turn)}")

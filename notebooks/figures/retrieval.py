@@ -10,8 +10,8 @@ from matplotlib.ticker import ScalarFormatter
 
 from notebooks.figures.style import (
     BLUE,
+    GRAY,
     GREEN,
-    GREY,
     LIGHT,
     ORANGE,
     PREDICTED,
@@ -59,8 +59,8 @@ def search_results(
                 fig.text(0.55, 0.9, NOT_YET, ha="center", color=VERMILLION)
             continue
         scores = np.asarray(scores, dtype=float)
-        colours = [GREEN if _is_same(name, other, pairs) else GREY for other in names]
-        bars.bar(range(len(names)), scores, color=colours)
+        colors = [GREEN if _is_same(name, other, pairs) else GRAY for other in names]
+        bars.bar(range(len(names)), scores, color=colors)
         low, high = scores.min(), scores.max()
         bars.set_ylim(low - 0.15 * (high - low), high + 0.05 * (high - low))
         bars.set_xticks([])
@@ -147,13 +147,13 @@ def agreement(
     for row, query in enumerate(queries):
         values = np.asarray(agreeing(query, walk))
         same = np.array([_is_same(query, name, pairs) for name in walk])
-        for these, marker, colour in ((~same, "x", GREY), (same, "o", GREEN)):
+        for these, marker, color in ((~same, "x", GRAY), (same, "o", GREEN)):
             these = these & (values > 0)
-            axes.plot(values[these], np.full(these.sum(), row), marker, color=colour, markersize=8)
+            axes.plot(values[these], np.full(these.sum(), row), marker, color=color, markersize=8)
     axes.plot([], [], "o", color=GREEN, label="the same place")
-    axes.plot([], [], "x", color=GREY, label="another place")
+    axes.plot([], [], "x", color=GRAY, label="another place")
     label = f"wrong on the walk: up to {chance:.0f}"
-    axes.axvspan(1, chance, color=GREY, alpha=0.2, lw=0, label=label)
+    axes.axvspan(1, chance, color=GRAY, alpha=0.2, lw=0, label=label)
     axes.axvline(threshold, color=VERMILLION, linestyle="--", label=f"threshold {threshold}")
     axes.set_xscale("log")
     axes.set_xlim(left=5)

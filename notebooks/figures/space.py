@@ -7,7 +7,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from notebooks.figures.style import (
-    GREY,
+    GRAY,
     PALETTE,
     attempt,
     figure,
@@ -92,7 +92,7 @@ def largest_planes(
                 -y,
                 "." if number < 0 else MARKERS[number % len(MARKERS)],
                 markersize=1.5,
-                color=GREY if number < 0 else PALETTE[number],
+                color=GRAY if number < 0 else PALETTE[number],
                 axlim_clip=True,
                 label=f"{label}: {len(x)} points",
             )

@@ -9,7 +9,7 @@ from matplotlib.ticker import MaxNLocator
 from notebooks.explorers.still import samples_asked_for
 from notebooks.figures.style import (
     BLUE,
-    GREY,
+    GRAY,
     ORANGE,
     VERMILLION,
     attempt,
@@ -59,7 +59,7 @@ def stopping(
     text = f"{found} of {RUNS} runs have found the largest wall, {most} of {len(points)} points"
     axes.set_title(text, fontsize=10)
     known = samples_asked_for(most / len(points), 1 - p)
-    axes.axvline(known, color=GREY, ls=":", label=f"with the wall's share known: {known}")
+    axes.axvline(known, color=GRAY, ls=":", label=f"with the wall's share known: {known}")
     axes.legend(frameon=False)
     guess = predicted_beside(fig, predicted)
     return show(
@@ -90,7 +90,7 @@ def pushed_line(
     outside = np.array([(np.abs(offsets - push) > threshold).sum() for push in pushes])
     fig = figure(8, 3)
     axes = fig.subplots()
-    axes.step(100 * pushes, outside * threshold**2, color=GREY, label="counting: outliers · t²")
+    axes.step(100 * pushes, outside * threshold**2, color=GRAY, label="counting: outliers · t²")
     costs = attempt(lambda: [float(msac_cost(offsets - push, threshold)) for push in pushes])
     least = outside.min()
     flat = 100 * np.ptp(pushes[outside == least])

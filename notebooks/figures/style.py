@@ -20,7 +20,7 @@ GREEN = "#009E73"
 ORANGE = "#E69F00"
 SKY = "#56B4E9"
 PURPLE = "#CC79A7"
-GREY = "#707070"
+GRAY = "#707070"
 LIGHT = "#D8D8D8"
 PREDICTED = "#8A3C6B"
 PALETTE = [BLUE, ORANGE, GREEN, VERMILLION, PURPLE, SKY, "#000000", "#B8A000"]
@@ -110,7 +110,7 @@ def predicted_beside(fig: Figure, predicted: Any, unit: str = "", truth: str = "
         said = f"You predicted: {value}{unit}."
     said = f"{said} {truth}".strip()
     fig.suptitle(
-        said, x=0.01, ha="left", fontsize=10, color=GREY if predicted is None else PREDICTED
+        said, x=0.01, ha="left", fontsize=10, color=GRAY if predicted is None else PREDICTED
     )
     return said
 

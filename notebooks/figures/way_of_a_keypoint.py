@@ -9,7 +9,7 @@ from matplotlib.patches import ConnectionPatch
 from notebooks.explorers.journey import Journey, Level, first_spot
 from notebooks.figures.style import (
     BLUE,
-    GREY,
+    GRAY,
     LIGHT,
     ORANGE,
     VERMILLION,
@@ -105,7 +105,7 @@ def _draw_votes(axes: Axes, journey: Journey, level: Level, votes: np.ndarray, n
         return note(axes, NOT_YET)
     row = level.rows[int(level.words[number])]
     best = np.arange(len(votes)) == votes.argmax()
-    axes.bar(np.arange(len(votes)), votes, color=[BLUE if one else GREY for one in best])
+    axes.bar(np.arange(len(votes)), votes, color=[BLUE if one else GRAY for one in best])
     axes.plot(row, votes[row], "o", color=VERMILLION, mec="white", markersize=8)
     axes.set_xticks(range(len(votes)), journey.places, fontsize=7)
     title = f"all votes; dots: the {len(row)} places in the row of word {level.words[number]}"

@@ -7,9 +7,9 @@ import cv2
 import numpy as np
 from matplotlib.axes import Axes
 
-from notebooks.figures.style import GREY, LIGHT, PALETTE, figure, photograph, show
+from notebooks.figures.style import GRAY, LIGHT, PALETTE, figure, photograph, show
 
-COLOURS = [PALETTE[0], PALETTE[1], PALETTE[2]]
+COLORS = [PALETTE[0], PALETTE[1], PALETTE[2]]
 
 
 def _split(points: np.ndarray, k: int) -> np.ndarray:
@@ -56,16 +56,16 @@ def descriptor_space(k: int = 3) -> None:
         axes.set_ylabel("descriptor, entry 2")
         axes.set_xticks([])
         axes.set_yticks([])
-    plain.plot(*points.T, ".", color=GREY, markersize=4)
+    plain.plot(*points.T, ".", color=GRAY, markersize=4)
     for axes, cells in ((one, at_first), (two, at_second)):
         shape = cells.reshape(corner.shape)
         for cell in range(cells.max() + 1):
-            colour = COLOURS[cell if axes is one else cell // k]
+            color = COLORS[cell if axes is one else cell // k]
             lightness = 0.25 if axes is one else 0.12 + 0.16 * (cell % k)
             axes.contourf(
-                corner, side, shape == cell, levels=[0.5, 1.5], colors=[colour], alpha=lightness
+                corner, side, shape == cell, levels=[0.5, 1.5], colors=[color], alpha=lightness
             )
-        axes.plot(*points.T, ".", color=GREY, markersize=3)
+        axes.plot(*points.T, ".", color=GRAY, markersize=3)
     one.plot(*first.T, "k^", markersize=9)
     for child in range(k):
         two.plot(*second[child].T, "ks", markersize=6)
@@ -97,9 +97,9 @@ def _draw_tree(axes: Axes, k: int, branch: int, leaf: int) -> None:
             on_way = chosen and word == leaf
             place = k * child + word
             axes.plot([x, place], [1, 0], color="black" if on_way else LIGHT, lw=3 if on_way else 1)
-            axes.plot(place, 0, "s", color=COLOURS[child], markersize=12, zorder=3)
+            axes.plot(place, 0, "s", color=COLORS[child], markersize=12, zorder=3)
             axes.text(place, -0.22, str(place), ha="center", weight="bold")
-        axes.plot(x, 1, "^", color=COLOURS[child], markersize=14, zorder=3)
+        axes.plot(x, 1, "^", color=COLORS[child], markersize=14, zorder=3)
     axes.plot(middle, 2, "ko", markersize=12, zorder=3)
     axes.text(middle + 0.35, 2, "root", va="center")
     axes.text(middle, -0.55, "words", ha="center")

@@ -60,9 +60,9 @@ def derive() -> list[Step]:
     (best_r,) = sp.solve(slope_r, r)
 
     # With it, only centred coordinates are left.
-    centred = error.subs({r: best_r, x: x_c - dx, y: y_c - dy})
-    centred = sp.factor(sp.expand(centred))
-    slope = sum_over_points(sp.diff(centred, alpha))
+    centered = error.subs({r: best_r, x: x_c - dx, y: y_c - dy})
+    centered = sp.factor(sp.expand(centered))
+    slope = sum_over_points(sp.diff(centered, alpha))
 
     # Half angles become double angles: sin cos = sin(2a)/2 and cos² - sin² = cos(2a).
     double = sp.sin(2 * alpha) * (S_yy - S_xx) + 2 * sp.cos(2 * alpha) * S_xy
@@ -79,7 +79,7 @@ def derive() -> list[Step]:
         Step("the squared error of one point", S, error),
         Step("derive by r and sum over the points", dS_dr, slope_r),
         Step("set it to zero: the line goes through the centre", r, best_r),
-        Step("put r in: what remains is centred", S, centred),
+        Step("put r in: what remains is centred", S, centered),
         Step("derive by alpha and sum over the points", dS_dalpha, slope),
         Step("write it with the double angle", dS_dalpha, double),
         Step("set it to zero", sp.tan(2 * alpha), tangent),

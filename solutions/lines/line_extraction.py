@@ -118,7 +118,7 @@ def _walls(
     """Return the pieces of one run that are walls, with their lines."""
     lines = []
     for piece in pieces:
-        if len(piece) >= settings.min_neighbour_points:
+        if len(piece) >= settings.min_neighbor_points:
             line = fit_line(points[piece])
             start, end = positions_along(points[piece[[0, -1]]], line)
             if abs(end - start) >= settings.min_length / 2:

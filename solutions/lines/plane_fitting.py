@@ -28,8 +28,8 @@ def fit_plane(points: np.ndarray) -> Plane:
     center = points.sum(axis=0) / N
     if not np.isfinite(center).all():
         raise ValueError("No plane: some coordinates are not finite; remove those points.")
-    centred = points - center
-    spread, directions = np.linalg.eigh(centred.T @ centred)  # ascending
+    centered = points - center
+    spread, directions = np.linalg.eigh(centered.T @ centered)  # ascending
     size = math.sqrt(spread[2] / N)
     rounding = 2e-15 * (size + math.hypot(*center))  # of the coordinates, in float64
     if not spread[1] - spread[0] > N * size * rounding:

@@ -48,7 +48,7 @@ class Settings:
                 raise ValueError(f"The setting {field.name} must be a number, and not negative.")
 
     @property
-    def min_neighbour_points(self) -> int:
+    def min_neighbor_points(self) -> int:
         """How many points a piece needs to show that its neighbour is part of a round thing."""
         return max(2, self.min_points // 2)
 

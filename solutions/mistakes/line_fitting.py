@@ -7,7 +7,7 @@ import numpy as np
 from solutions.lines.line_fitting import Line, fit_line, line_covariance
 
 
-def _centred_sums(points, weights, check=True):
+def _centered_sums(points, weights, check=True):
     if check:
         fit_line(points, weights)  # raises where no line is the best one
     weights = np.ones(len(points)) if weights is None else weights
@@ -25,7 +25,7 @@ def _line_through(center, alpha):
 
 def keeps_negative_radius(points, weights=None, check=True):
     """The right line, but r may be negative."""
-    center, S_xx, S_xy, S_yy = _centred_sums(points, weights, check)
+    center, S_xx, S_xy, S_yy = _centered_sums(points, weights, check)
     alpha = 0.5 * math.atan2(-2 * S_xy, S_yy - S_xx)
     return Line(center[0] * math.cos(alpha) + center[1] * math.sin(alpha), alpha)
 
@@ -44,11 +44,11 @@ def leaves_alpha_unwrapped(points, weights=None):
 
 def plain_arctan(points, weights=None, check=True):
     """The sheet's last formula as it stands: the worst line whenever Syy < Sxx."""
-    center, S_xx, S_xy, S_yy = _centred_sums(points, weights, check)
+    center, S_xx, S_xy, S_yy = _centered_sums(points, weights, check)
     return _line_through(center, 0.5 * math.atan(-2 * S_xy / (S_yy - S_xx)))
 
 
-def does_not_centre(points, weights=None):
+def does_not_center(points, weights=None):
     """Uses sums of x², xy and y² about the origin."""
     fit_line(points, weights)
     weights = np.ones(len(points)) if weights is None else weights
@@ -60,13 +60,13 @@ def does_not_centre(points, weights=None):
 
 def regresses_y_on_x(points, weights=None):
     """Fits y = m x + b, so it measures distances along y."""
-    center, S_xx, S_xy, _ = _centred_sums(points, weights)
+    center, S_xx, S_xy, _ = _centered_sums(points, weights)
     return _line_through(center, math.atan2(S_xx, -S_xy))  # the normal of (1, m), m = Sxy/Sxx
 
 
 def ignores_weights(points, weights=None):
     """Treats all points alike."""
-    center, S_xx, S_xy, S_yy = _centred_sums(points, None)
+    center, S_xx, S_xy, S_yy = _centered_sums(points, None)
     return _line_through(center, 0.5 * math.atan2(-2 * S_xy, S_yy - S_xx))
 
 
@@ -83,7 +83,7 @@ def subtracts_large_squares(points, weights=None):
     return _line_through((x_c, y_c), 0.5 * math.atan2(-2 * S_xy, S_yy - S_xx))
 
 
-def centres_in_place(points, weights=None):
+def centers_in_place(points, weights=None):
     """Subtracts the centre from the array it was given."""
     line = fit_line(points, weights)
     points -= np.average(points, axis=0, weights=weights)

@@ -27,8 +27,8 @@ def extract_features(
     if kind not in ("sift", "orb"):
         raise ValueError(f"There are features of the kinds 'sift' and 'orb', not {kind!r}.")
     detector = cv2.SIFT.create(most) if kind == "sift" else cv2.ORB.create(most or 1000)
-    grey = image if image.ndim == 2 else cv2.cvtColor(image, cv2.COLOR_RGB2GRAY)
-    keypoints, descriptors = detector.detectAndCompute(grey, None)
+    gray = image if image.ndim == 2 else cv2.cvtColor(image, cv2.COLOR_RGB2GRAY)
+    keypoints, descriptors = detector.detectAndCompute(gray, None)
     if descriptors is None:  # nothing to be seen
         descriptors = np.zeros((0, _SIFT), "f4") if kind == "sift" else np.zeros((0, 32), "u1")
     positions = np.array([keypoint.pt for keypoint in keypoints], np.float32).reshape(-1, 2)

@@ -29,8 +29,8 @@ def eigenvectors(points, weights=None):
     if weights is None:
         weights = np.ones(len(points))
     center = np.average(points, axis=0, weights=weights)
-    centred = points - center
-    values, vectors = np.linalg.eigh(centred.T @ np.diag(weights) @ centred)
+    centered = points - center
+    values, vectors = np.linalg.eigh(centered.T @ np.diag(weights) @ centered)
     if values[1] - values[0] <= 1e-12 * values[1]:
         raise ValueError("No line")
     return np.array(_towards_the_line(*vectors[:, 0], *center))

@@ -34,13 +34,13 @@ def variance_of_a_regression(points, sigma, weights=None):
     return C
 
 
-def turned_about_the_centre(points, sigma, weights=None):
+def turned_about_the_center(points, sigma, weights=None):
     alpha = fit_line(points).alpha
     b = points @ np.array([-np.sin(alpha), np.cos(alpha)])
     t = np.mean(b)
-    about_the_centre = np.diag([1 / len(b), 1 / (len(b) * np.var(b))])
+    about_the_center = np.diag([1 / len(b), 1 / (len(b) * np.var(b))])
     lever = np.array([[1.0, t], [0.0, 1.0]])
-    return (sigma**2 * lever @ about_the_centre @ lever.T).astype(np.float32)
+    return (sigma**2 * lever @ about_the_center @ lever.T).astype(np.float32)
 
 
 def finite_differences(points, sigma, weights=None):

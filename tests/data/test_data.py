@@ -75,7 +75,7 @@ def test_killian_beams_run_from_right_to_left():
     np.testing.assert_allclose(np.diff(angles), 0.017453)
 
 
-def test_neighbouring_killian_scans_see_the_same_walls():
+def test_neighboring_killian_scans_see_the_same_walls():
     # A wrong sign of an angle or a swapped axis would tear neighbouring scans apart.
     scans = data.killian_court()
 

@@ -90,7 +90,7 @@ def test_right_work_earns_all_and_each_mistake_its_name(students, personal, tmp_
             assert mistake in (None, mark.alternative), (name, id)
 
 
-def test_the_answers_of_a_neighbour_are_noticed(personal, tmp_path, capsys):
+def test_the_answers_of_a_neighbor_are_noticed(personal, tmp_path, capsys):
     first, second = "student 001", "student 002"
     ids = ["Q3.2.1", "Q3.2.5"]
     right = {}

@@ -95,15 +95,15 @@ def test_everybody_is_marked_by_their_own_numbers(market: Course, tmp_path: Path
     right = {name: n["boxes"] * n["eggs"] for name, n in numbers.items()}
     ada, _, kepler, noether, _ = NAMES
     assert len(set(right.values())) > 1
-    neighbour = next(name for name in NAMES if right[name] != right[kepler])
+    neighbor = next(name for name in NAMES if right[name] != right[kepler])
     work = tmp_path / "class"
     hand_in(work, "ada", "  ada LOVELACE", right[ada])
     hand_in(work, "boole", ada, right[ada])  # the folder of somebody else
     hand_in(work, "kepler", "kepler", market.for_student("kepler").numbers("Q7")["boxes"] * 1000)
     hand_in(work, "noether", noether, sum(numbers[noether].values()))
     hand_in(work, "parks", "", 12)  # the sheet's numbers
-    others = {n["boxes"] * n["eggs"] for n in numbers.values()} - {right[neighbour]}
-    hand_in(work, "copies", neighbour, max(others))
+    others = {n["boxes"] * n["eggs"] for n in numbers.values()} - {right[neighbor]}
+    hand_in(work, "copies", neighbor, max(others))
     people = "".join(f"{name},{name.split()[-1].lower()}\n" for name in NAMES)
     (tmp_path / "list.csv").write_text("Name,Login\n" + people.replace("lovelace", "ada"))
     out = tmp_path / "grades"

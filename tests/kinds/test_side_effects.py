@@ -21,7 +21,7 @@ def right(case: dict[str, Any], expected: dict[str, Any], actual: dict[str, Any]
     return agrees(close, case, expected, actual)
 
 
-def centre_in_place(points):
+def center_in_place(points):
     points -= points.mean(axis=0)
     return 1.0
 
@@ -40,7 +40,7 @@ def overwrite_an_entry(groups):
 @pytest.mark.parametrize(
     ("function", "argument"),
     [
-        (centre_in_place, np.array([[1.0, 2.0], [3.0, 4.0]])),
+        (center_in_place, np.array([[1.0, 2.0], [3.0, 4.0]])),
         (sort_in_place, [np.array([2, 1]), np.array([3])]),
         (sort_in_place, [[2, 1], [3]]),
         (overwrite_an_entry, [1, 2]),

@@ -78,7 +78,7 @@ def share_of_the_largest_plane() -> float:
     return len(found.inliers) / len(points)
 
 
-def centred_sums(x: list[list[float]]) -> np.ndarray:
+def centered_sums(x: list[list[float]]) -> np.ndarray:
     """Centred sums S_xx, S_yy and S_xy of a few points."""
     dx, dy = (np.mean(x, axis=0) - x).T
     return np.array([dx @ dx, dy @ dy, dx @ dy])
@@ -149,7 +149,7 @@ CLAIMS = [
     (
         "2_line_fitting",
         "gives $S_{{xx}} = {:.0f}$, $S_{{yy}} = {:.0f}$ and $S_{{xy}} = {:.0f}$",
-        tuple(centred_sums([[0, 0], [1, 1], [2, 5]])),
+        tuple(centered_sums([[0, 0], [1, 1], [2, 5]])),
     ),
     ("2_line_fitting", "*one* of the {} points", len(wall())),
     (

@@ -17,7 +17,7 @@ def test_no_two_bands_have_one_pattern_and_each_pattern_is_defined():
     assert {f"pattern-{pattern}" for pattern in patterns if pattern} <= defined
 
 
-def test_a_pattern_lies_over_the_colour_of_its_band_and_of_its_key():
+def test_a_pattern_lies_over_the_color_of_its_band_and_of_its_key():
     chart = Chart(100, 100, (0, 1), (0, 1))
     chart.box(0, 0, 1, 1, "red", "dots")
     for drawn in (chart.svg("t", "d"), swatch("red", "dots")):

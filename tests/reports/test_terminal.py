@@ -53,7 +53,7 @@ def test_no_text_of_a_student_reaches_the_terminal_as_a_command(course: Course, 
     assert "[bold]" in out  # shown, not obeyed
 
 
-def test_a_terminal_gets_colours_and_a_pipe_gets_none(course: Course):
+def test_a_terminal_gets_colors_and_a_pipe_gets_none(course: Course):
     record = Record(graded("ada", *all_marks((1, 0, 0.5, 1))), 1, 1)
     table = lambda console: print_table(console, course, [record])  # noqa: E731
     assert "\x1b[32m" in printed(table, force_terminal=True, color_system="standard")

@@ -13,7 +13,7 @@ pytestmark = pytest.mark.usefixtures("after_each_a_good_submission_gets_its_mark
 
 
 @pytest.fixture
-def neighbour(sandbox: Sandbox) -> Iterator[Session]:
+def neighbor(sandbox: Sandbox) -> Iterator[Session]:
     """A session in another slot of the same kind, with a variable ``k``."""
     host = sandbox._tier.start()
     try:
@@ -24,7 +24,7 @@ def neighbour(sandbox: Sandbox) -> Iterator[Session]:
         host.stop()
 
 
-def test_the_memory_of_no_other_process_can_be_read(lab, neighbour):
+def test_the_memory_of_no_other_process_can_be_read(lab, neighbor):
     others = [1, os.getpid(), *descendants(os.getpid())]
     assert len(others) >= 4
     code = f"""
@@ -43,7 +43,7 @@ for process in [*{others}, os.getppid()]:
     assert lab.value(code) == "[]"
 
 
-def test_a_neighbours_process_can_be_neither_signalled_nor_owned(lab, neighbour):
+def test_a_neighbors_process_can_be_neither_signalled_nor_owned(lab, neighbor):
     code = f"""
 import ctypes, fcntl, os, signal, socket
 libc = ctypes.CDLL(None, use_errno=True)
@@ -68,7 +68,7 @@ for process in {descendants(os.getpid())}:
     if os.uname().machine != "x86_64":
         code = code.replace("syscall(234", "syscall(131")
     assert lab.value(code) == "[]"
-    assert neighbour.evaluate("k", NUMBER) == {"state": "given", "value": 74}
+    assert neighbor.evaluate("k", NUMBER) == {"state": "given", "value": 74}
 
 
 def test_the_work_of_the_class_cannot_be_reached_by_its_path(lab, tmp_path):

@@ -31,7 +31,7 @@ QUESTIONS: dict[str, tuple[Callable, Callable, Callable, list[Callable]]] = {
             line_mistakes.flips_only_the_radius,
             line_mistakes.leaves_alpha_unwrapped,
             line_mistakes.plain_arctan,
-            line_mistakes.does_not_centre,
+            line_mistakes.does_not_center,
             line_mistakes.regresses_y_on_x,
             line_mistakes.ignores_weights,
             line_mistakes.subtracts_large_squares,

@@ -32,7 +32,7 @@ def test_k_means_finds_well_separated_pairs_of_points():
 
 
 @pytest.mark.parametrize("seed", range(5))
-def test_k_means_ends_with_every_centre_at_the_mean_of_the_points_nearest_to_it(seed):
+def test_k_means_ends_with_every_center_at_the_mean_of_the_points_nearest_to_it(seed):
     rng = np.random.default_rng(seed)
     points = rng.normal(size=(300, 3)).astype(np.float32)
     centers = k_means(points, 7, rng, iterations=1000)
@@ -96,7 +96,7 @@ def test_words_are_where_each_descriptor_arrives_when_it_descends_alone(branchin
     assert words.max() < tree.word_count == branching**depth
 
 
-def test_a_tree_of_one_level_gives_the_nearest_of_all_centres():
+def test_a_tree_of_one_level_gives_the_nearest_of_all_centers():
     rng = np.random.default_rng(2)
     points = blobs(rng)
     tree = VocabularyTree(20, 1).fit(points, rng)

@@ -261,7 +261,7 @@ def test_a_cell_that_only_hands_in_is_no_work():
     assert not unsaved.hands_in("submit()\narea = 12")
 
 
-def test_the_running_notebook_is_told_from_its_neighbours_by_its_cells(folder: Path):
+def test_the_running_notebook_is_told_from_its_neighbors_by_its_cells(folder: Path):
     save(folder, SETUP, "area = ...")
     save(folder, SETUP, "height = ...", name="2_garden.ipynb")
     unsaved.remember(None, SETUP)

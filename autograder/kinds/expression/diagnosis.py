@@ -103,7 +103,7 @@ def _diagnoses(
             for how, wrong in changed.items():
                 words = f"it was {how} by {symbol} once more than asked for"
                 yield told(period is None and fits(wrong), f"{how} by {symbol}", words)
-    for other, key in around.neighbours:
+    for other, key in around.neighbors:
         for theirs in key.alternatives:
             text = getattr(theirs, "expression", None)
             if text is not None and not theirs.is_mistake:

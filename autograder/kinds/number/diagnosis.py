@@ -37,7 +37,7 @@ def diagnose_number(
     for wrong, words in _roundings(question, right):
         if math.isclose(value, wrong, rel_tol=1e-12) and not _is_right(question, right, wrong):
             return Diagnosis("rounded too coarsely", f"It looks as if it was {words}.")
-    for other, key in around.neighbours:
+    for other, key in around.neighbors:
         for entry in key.alternatives:
             theirs = getattr(entry, "value", None)
             if entry.is_mistake or theirs is None or _is_right(question, right, theirs):

@@ -111,13 +111,13 @@ def _extract(
     first, last, run = split_runs(points, first, last, settings.split_distance)
     first, last, run = merge_runs(sums, first, last, run, settings.roughness)
 
-    enough = last - first + 1 >= settings.min_neighbour_points
+    enough = last - first + 1 >= settings.min_neighbor_points
     first, last, run = first[enough], last[enough], run[enough]
 
     lines = _fit(sums, points, first, last, settings)
     wall = lines.pop("is_wall") & (last - first + 1 >= settings.min_points)
-    neighbours = np.flatnonzero(lines.pop("length") >= settings.min_length / 2)
-    left, right = neighbours[:-1], neighbours[1:]
+    neighbors = np.flatnonzero(lines.pop("length") >= settings.min_length / 2)
+    left, right = neighbors[:-1], neighbors[1:]
     bend = is_bend(lines["alpha"][left], lines["alpha"][right], settings)
     bend &= run[left] == run[right]
     wall[left[bend]] = wall[right[bend]] = False
