@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from datetime import datetime
 
@@ -174,11 +174,12 @@ def summarise(
     if class_list.students:  # whose one is depends on whose the others may be
         matches = class_list.match_all({entry.student: entry.origin for entry in submissions})
     rows: Shelf[Row] = Shelf(Row)
-    used: set[str] = set()
+    called: set[str] = set()
     for submission in submissions:
         key = submission.student
         match = matches.get(key) or class_list.match_all({key: submission.origin})[key]
-        origin = _timed_origin(submission, match, times or {}, trust_times, used)
+        origin = _timed_origin(submission, match, times or {}, trust_times)
+        called |= {name.casefold() for name in _called(submission, match)}
         days = 0
         if origin.handed_in is not None:
             days = class_list.days_late(origin.handed_in, match.people)
@@ -187,11 +188,23 @@ def summarise(
     summary = Summary(class_list, rows)
     found = {person for row in rows for person in row.match.people}
     summary.missing = tuple(person for person in class_list.students if person not in found)
-    _look_at_times(summary, trust_times, set(times or {}) - used)
+    called |= {
+        name.casefold()
+        for person in summary.missing
+        for name in (*person.identifiers(), person.name)
+    }
+    strange = sorted(set(times or {}) - called)
+    if strange:
+        more = f" and {len(strange) - 5} more" if len(strange) > 5 else ""
+        summary.warnings.append(
+            f"The table of times names {', '.join(strange[:5])}{more}, from whom nothing was "
+            "handed in. Correct the names there, or take the lines out."
+        )
+    _look_at_times(summary, trust_times)
     return summary
 
 
-def _look_at_times(summary: Summary, trust_times: bool, unused: Collection[str]) -> None:
+def _look_at_times(summary: Summary, trust_times: bool) -> None:
     """Say what is odd about the times, and take nothing off for what is not sure."""
     if summary.class_list.late is None:
         return
@@ -243,7 +256,6 @@ def _timed_origin(
     match: Match,
     times: Mapping[str, datetime],
     trust_times: bool,
-    used: set[str],
 ) -> Origin:
     """The origin with the first time that is known, in the order that the times module gives."""
     origin = submission.origin
@@ -257,7 +269,6 @@ def _timed_origin(
             return origin.at(person.noted_time, LAYOUT)
     for name in _called(submission, match):
         if name.casefold() in times:
-            used.add(name.casefold())
             return origin.at(times[name.casefold()], TIMES_FILE)
     if origin.time_from == TIMES_FILE and not times:
         return origin  # as an earlier run was told

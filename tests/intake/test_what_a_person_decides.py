@@ -164,6 +164,15 @@ def test_the_sources_of_a_time_go_before_each_other_in_their_order(school: Class
     assert school.of(told, "ada2")["handed_in"] == "2026-11-02T12:00:00+00:00"
 
 
+def test_a_line_of_the_times_that_fits_nobody_is_said(school: Class):
+    put(school.work / "ada.zip", zipped({"1_orchard.ipynb": BOOK}))
+    school.lists = [put(school.root / "people.csv", PEOPLE.encode())]
+    lines = b"login,time\nada,2026-11-02T00:00Z\nboole,2026-11-02T00:00Z\nadda,2026-11-02T00:00Z"
+    told = school.intake("--times", str(put(school.root / "when.csv", lines)))
+    (said,) = [warning for warning in told["warnings"] if "table of times" in warning]
+    assert "names adda, from whom nothing was handed in" in said  # boole is in the list
+
+
 def times_of(school: Class, *when: str) -> None:
     school.hand_in("ada.zip", "boole.zip", "curie.zip")
     rows = [f"{login};{time}" for login, time in zip(("ada", "boole", "curie"), when, strict=True)]
