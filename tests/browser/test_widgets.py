@@ -80,7 +80,7 @@ def choose(sheet: Notebook, statement: int, said: bool) -> None:
 
 
 def cards(sheet: Notebook) -> list[str]:
-    return sheet.question("Q1.2").locator(".ag-card .ag-text").all_inner_texts()
+    return sheet.question("Q1.2").locator(".ag-card .ag-text").all_text_contents()
 
 
 def grip(sheet: Notebook, at: int):

@@ -52,8 +52,9 @@ def as_user(user: int, action: Callable[[], object]) -> str:
 @pytest.fixture
 def open_to_all(tmp_path: Path) -> Path:
     """A folder that every user reaches, with the drop folder of an instructor in it."""
-    for folder in (tmp_path, *tmp_path.parents[:2]):
-        folder.chmod(folder.stat().st_mode | 0o011)
+    for folder in (tmp_path, *tmp_path.parents):
+        if folder.stat().st_mode & 0o011 != 0o011:
+            folder.chmod(folder.stat().st_mode | 0o011)
     taking = tmp_path / "drop"
     taking.mkdir()
     os.chown(taking, 0, STAFF)
