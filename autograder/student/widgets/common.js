@@ -65,12 +65,17 @@ async function showChild(model, place, id) {
   const child = await manager.get_model(id);
   const view = await manager.create_view(child, {});
   place.replaceChildren(view.el);
-  const focus = () => place.querySelector("input:enabled, button:enabled, [tabindex='0']");
-  // Its controls are off until it has heard from the kernel.
-  for (let tries = 0; tries < 40 && !focus(); tries++) {
+  const controls = "input:enabled, button:enabled, [tabindex='0']";
+  const shown = (control) => control.getClientRects().length > 0; // what is hidden takes no focus
+  const focus = () => [...place.querySelectorAll(controls)].find(shown);
+  const before = document.activeElement;
+  // Its controls are off until it has heard from the kernel, which may have other things to do.
+  for (let tries = 0; tries < 600 && view.el.isConnected && !focus(); tries++) {
     await new Promise((resolve) => setTimeout(resolve, 50));
   }
-  focus()?.focus();
+  // Whoever has gone on to something else in the meantime is left there.
+  const now = document.activeElement;
+  if (!now || now === before || now.contains(place)) focus()?.focus();
 }
 
 // The line to the kernel. An answer counts as kept when the kernel has said so, and not before.
