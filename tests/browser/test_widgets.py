@@ -591,9 +591,6 @@ def asked_in_all_rounds(sheet: Notebook) -> int:
     return sum(card["asked"] for card in json.loads(kept.read_text())["responses"].values())
 
 
-@pytest.mark.xfail(
-    strict=False, reason="a fresh question now and then gets no focus by itself: open"
-)
 def test_a_round_of_practice_by_keyboard(sheet: Notebook):
     earlier = asked_in_all_rounds(sheet)
     keyboard = sheet.page.keyboard
@@ -609,7 +606,8 @@ def test_a_round_of_practice_by_keyboard(sheet: Notebook):
             keyboard.type("12345")
             keyboard.press("Enter")
         else:
-            keyboard.press("Space")  # a choice, or a card that is taken up
+            # Cards that nobody moved are no answer; elsewhere the first choice is as good as any.
+            keyboard.press("Alt+ArrowDown" if asked.locator(".ag-card").count() else "Space")
             asked.get_by_role("button", name="Check").focus()
             keyboard.press("Enter")
         expect(asked.locator(".ag-mark").last).to_be_visible()

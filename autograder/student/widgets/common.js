@@ -65,7 +65,7 @@ async function showChild(model, place, id) {
   const child = await manager.get_model(id);
   const view = await manager.create_view(child, {});
   place.replaceChildren(view.el);
-  const controls = "input:enabled, button:enabled, [tabindex='0']";
+  const controls = "input:enabled, button:enabled, [tabindex='0']:not(:disabled)";
   const shown = (control) => control.getClientRects().length > 0; // what is hidden takes no focus
   const focus = () => [...place.querySelectorAll(controls)].find(shown);
   const before = document.activeElement;
