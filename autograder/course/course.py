@@ -9,6 +9,7 @@ from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
+from typing import TypeVar
 
 from autograder.course.answers import Answer, answer_from_table
 from autograder.course.predictions import Prediction
@@ -27,6 +28,7 @@ DEMO = "demo"  # the tag of a cell that only shows something
 _PACKAGE = Path(__file__).parents[1]
 _MARKS_NOTHING = ("authoring", "cli", "gradebook", "release", "reports")  # folders of the package
 _LARGE_FILE = 32 * 2**20  # bytes
+_T = TypeVar("_T")
 
 
 @dataclass(frozen=True)
@@ -65,12 +67,7 @@ class Course:
         Raises:
             UsageError: if there is none; the sentence lists the ids that exist.
         """
-        try:
-            return self.questions[id]
-        except (KeyError, TypeError):
-            raise UsageError(
-                f"There is no question {id!r}; this course has {', '.join(self.questions)}."
-            ) from None
+        return _named(id, self.questions, "question")
 
     @cached_property
     def predictions(self) -> dict[str, Prediction]:
@@ -87,11 +84,7 @@ class Course:
         Raises:
             UsageError: if there is none; the sentence lists the ids that exist.
         """
-        try:
-            return self.predictions[id]
-        except (KeyError, TypeError):
-            listed = ", ".join(self.predictions) or "none"
-            raise UsageError(f"There is no prediction {id!r}; this course has {listed}.") from None
+        return _named(id, self.predictions, "prediction")
 
     def chapter(self, name: str) -> Chapter:
         """The chapter with this name."""
@@ -128,14 +121,12 @@ class Course:
         Raises:
             UsageError: if no question tells it; the sentence lists the stories there are.
         """
-        told: list[str] = []
-        for id, written in self.varied.items():
-            if written.table.get("story"):
-                told.append(written.table["story"])
-            if written.table.get("story") == name:
-                return self.numbers(id) or {}
-        listed = ", ".join(dict.fromkeys(told)) or "none"
-        raise UsageError(f"There is no story {name!r}; this course has {listed}.")
+        tellers = {
+            written.table["story"]: id
+            for id, written in self.varied.items()
+            if written.table.get("story")
+        }
+        return self.numbers(_named(name, tellers, "story")) or {}
 
     def with_variants(self, variants: Mapping[str, int]) -> Course:
         """The course with these variants of the questions that have any; the others have 0.
@@ -356,6 +347,15 @@ def load_course(root: Path | None = None) -> Course:
         personal=settings.variants == "student",
         others_count=settings.others_numbers == "count",
     )
+
+
+def _named(name: str, there_are: Mapping[str, _T], what: str) -> _T:
+    """The entry of this name; a `UsageError` lists the names that exist."""
+    try:
+        return there_are[name]
+    except (KeyError, TypeError):
+        listed = ", ".join(there_are) or "none"
+        raise UsageError(f"There is no {what} {name!r}; this course has {listed}.") from None
 
 
 def _read_stories(stories: object, text: str, file: Path) -> dict[str, Variables]:

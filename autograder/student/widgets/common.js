@@ -78,6 +78,14 @@ async function showChild(model, place, id) {
   if (!now || now === before || now.contains(place)) focus()?.focus();
 }
 
+// What `connect` tells, as a sentence in a widget's line of status.
+function teller(status) {
+  return (text, kind) => {
+    status.textContent = text;
+    status.className = `ag-status ag-${kind || "quiet"}`;
+  };
+}
+
 // The line to the kernel. An answer counts as kept when the kernel has said so, and not before.
 //
 //   tell(text, kind)   shows a sentence; kind is "", "waiting", "kept" or "lost"

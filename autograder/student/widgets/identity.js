@@ -19,6 +19,7 @@ function render({ model, el }) {
   const leave = make("button", { type: "button" }, "Leave it");
   const sure = make("p", { class: "ag-actions", hidden: true }, change, leave);
   const status = make("p", { class: "ag-status", role: "status" });
+  const tell = teller(status);
   keepKeys(field, keep, change, leave);
   controls.append(
     make(
@@ -59,11 +60,6 @@ function render({ model, el }) {
 
   function draw(lost) {
     if (lost || document.activeElement !== field) field.value = model.get("state").name;
-  }
-
-  function tell(text, kind) {
-    status.textContent = text;
-    status.className = `ag-status ag-${kind || "quiet"}`;
   }
 
   const send = connect({

@@ -9,6 +9,7 @@ function render({ model, el }) {
   const stop = make("button", { type: "button" }, "End the round");
   const clock = make("span", { class: "ag-note" });
   const status = make("p", { class: "ag-status", role: "status" });
+  const tell = teller(status);
   const place = make("div", { class: "ag-fresh" });
   const said = make("p", { class: "ag-summary", tabindex: "-1", "aria-live": "polite" });
   const table = make("table", { class: "ag-boxes", "aria-label": "The boxes" });
@@ -75,11 +76,6 @@ function render({ model, el }) {
     };
     write();
     if (running) tick = setInterval(write, 5000);
-  }
-
-  function tell(text, kind) {
-    status.textContent = text;
-    status.className = `ag-status ag-${kind || "quiet"}`;
   }
 
   const send = connect({ model, el, tell, draw, live: (yes) => (controls.disabled = !yes) });

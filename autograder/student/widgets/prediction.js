@@ -6,6 +6,7 @@ function render({ model, el }) {
   const controls = make("fieldset", { class: "ag-controls", "aria-label": "Your prediction" });
   const kept = make("p", { class: "ag-predicted", tabindex: "-1" });
   const status = make("p", { class: "ag-status", role: "status" });
+  const tell = teller(status);
   keepKeys(kept);
   root.append(
     make("p", { class: "ag-title" }, "Predict"),
@@ -71,11 +72,6 @@ function render({ model, el }) {
     kept.hidden = !said;
     const html = said ? `You predicted: <strong>${said}</strong>. The next cell shows what is true.` : "";
     if (kept.innerHTML !== html) kept.innerHTML = html;
-  }
-
-  function tell(text, kind) {
-    status.textContent = text;
-    status.className = `ag-status ag-${kind || "quiet"}`;
   }
 
   const send = connect({

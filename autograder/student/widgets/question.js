@@ -15,6 +15,7 @@ function openQuestion({ model, el, draw, unkept, checkable = true }) {
   const hints = make("ol", { class: "ag-hints", "aria-live": "polite", "aria-label": "Hints" });
   const mark = make("div", { class: "ag-mark", "aria-live": "polite" });
   const status = make("p", { class: "ag-status", role: "status" });
+  const tell = teller(status);
   const announcer = make("p", { class: "ag-announcer", "aria-live": "assertive" });
   const refusal = make("p", { class: "ag-refusal", role: "alert", hidden: true });
   keepKeys(check, hint);
@@ -48,11 +49,6 @@ function openQuestion({ model, el, draw, unkept, checkable = true }) {
       hint.textContent = "No more hints";
       hint.setAttribute("aria-disabled", "true");
     }
-  }
-
-  function tell(text, kind) {
-    status.textContent = text;
-    status.className = `ag-status ag-${kind || "quiet"}`;
   }
 
   const send = connect({

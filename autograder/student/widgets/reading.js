@@ -6,6 +6,8 @@ function render({ model, el }) {
   const controls = make("fieldset", { class: "ag-controls", "aria-label": label });
   const check = make("button", { type: "button", class: "ag-check" }, "Check");
   const status = make("p", { class: "ag-status", role: "status" });
+  const say = teller(status);
+  const tell = (text, kind) => say(text === "Kept." ? "" : text, kind);
   const verdict = make("div", { class: "ag-mark", "aria-live": "polite", hidden: true });
   keepKeys(check);
   const letters = codes.map((code, at) => "ABC"[at]);
@@ -59,11 +61,6 @@ function render({ model, el }) {
       make("p", { html: said.said }),
     );
     check.disabled = true;
-  }
-
-  function tell(text, kind) {
-    status.textContent = text === "Kept." ? "" : text;
-    status.className = `ag-status ag-${kind || "quiet"}`;
   }
 
   const send = connect({ model, el, tell, draw, live: (yes) => (controls.disabled = !yes) });
