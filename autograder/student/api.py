@@ -131,7 +131,7 @@ def predicted(id: str) -> object:
 
 
 def practise() -> object:
-    """Practise what does not sit yet: rounds of ten minutes, marked at once, without points."""
+    """Practise what you do not know yet: rounds of ten minutes, marked at once, without points."""
     return _try(lambda: _practise())
 
 

@@ -101,7 +101,7 @@ class IdentityView(_View):
 
 
 class PracticeView(_View):
-    """What sits, where no widget can be drawn to practise in."""
+    """What is known, where no widget can be drawn to practise in."""
 
     def __init__(self, summary: str) -> None:
         self.summary = summary

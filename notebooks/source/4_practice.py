@@ -8,8 +8,8 @@
 # ## Five boxes
 #
 # Each question lies in one of five boxes. A right answer moves it one box up, a wrong one puts it back into box 1, and a
-# question in one box is asked half as often as one in the box below. So you meet most often what does not sit yet,
-# and what sits comes back now and then. (Only your first answer to a question moves it.) The method is from Sebastian
+# question in one box is asked half as often as one in the box below. So you meet most often what you do not know yet,
+# and what you know comes back now and then. (Only your first answer to a question moves it.) The method is from Sebastian
 # Leitner, who used a shoe box with cards.
 #
 # A question that you have answered in its chapter begins in box 3 if you were right at the first attempt, and in box 1 if

@@ -5,8 +5,11 @@ from __future__ import annotations
 import json
 import shutil
 from pathlib import Path
+from typing import Any
 
 import pytest
+
+from autograder.student.widgets.base import CourseWidget
 
 QUESTIONS = """
 title = "The garden"
@@ -195,3 +198,11 @@ def bundle(own_garden: Path) -> Path:
     """A student bundle: the course without its solutions."""
     shutil.rmtree(own_garden / "solutions")
     return own_garden
+
+
+@pytest.fixture
+def sent(monkeypatch: pytest.MonkeyPatch) -> list[dict[str, Any]]:
+    """What the widgets reply."""
+    replies: list[dict[str, Any]] = []
+    monkeypatch.setattr(CourseWidget, "send", lambda self, reply: replies.append(reply))
+    return replies

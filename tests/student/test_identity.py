@@ -13,7 +13,6 @@ from autograder import ask, check, me, numbers, predict
 from autograder.authoring.build import build_student_notebooks
 from autograder.course import load_course
 from autograder.student.desk import Desk
-from autograder.student.widgets.base import CourseWidget
 from autograder.student.widgets.identity import IdentityWidget
 
 STORY = """
@@ -61,13 +60,6 @@ def pond(own_garden: Path) -> Path:
         path.write_text(path.read_text() + more)
     (own_garden / "pyproject.toml").write_text('[tool.autograder]\nvariants = "student"\n')
     return own_garden
-
-
-@pytest.fixture
-def sent(monkeypatch: pytest.MonkeyPatch) -> list[dict[str, Any]]:
-    replies: list[dict[str, Any]] = []
-    monkeypatch.setattr(CourseWidget, "send", lambda self, reply: replies.append(reply))
-    return replies
 
 
 def of(name: str) -> dict[str, Any]:

@@ -18,7 +18,6 @@ from autograder.student.desk import Desk
 from autograder.student.practice.boxes import BOXES, Card, draw, first_card
 from autograder.student.practice.desk import PracticeDesk
 from autograder.student.practice.round import SECONDS, Practice
-from autograder.student.widgets.base import CourseWidget
 from autograder.student.widgets.practice import PracticeWidget
 from autograder.student.widgets.reading import ReadingWidget
 
@@ -54,13 +53,6 @@ def pond(own_garden: Path) -> Path:
     code = own_garden / "solutions/garden.py"
     code.write_text(code.read_text() + SOLUTIONS)
     return own_garden
-
-
-@pytest.fixture
-def sent(monkeypatch: pytest.MonkeyPatch) -> list[dict[str, Any]]:
-    replies: list[dict[str, Any]] = []
-    monkeypatch.setattr(CourseWidget, "send", lambda self, reply: replies.append(reply))
-    return replies
 
 
 def say(widget: Any, do: str, **message: Any) -> None:

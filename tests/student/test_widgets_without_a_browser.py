@@ -16,7 +16,6 @@ from autograder.kinds.registry import kind_of
 from autograder.student.desk import Desk
 from autograder.student.receipts import RECEIPT
 from autograder.student.responses import Responses
-from autograder.student.widgets.base import CourseWidget
 from autograder.student.widgets.progress import ProgressWidget
 from autograder.student.widgets.submission import SubmissionWidget
 
@@ -24,14 +23,6 @@ from autograder.student.widgets.submission import SubmissionWidget
 @pytest.fixture
 def desk(garden: Path) -> Desk:
     return Desk(load_course())
-
-
-@pytest.fixture
-def sent(monkeypatch: pytest.MonkeyPatch) -> list[dict[str, Any]]:
-    """What the widgets reply."""
-    replies: list[dict[str, Any]] = []
-    monkeypatch.setattr(CourseWidget, "send", lambda self, reply: replies.append(reply))
-    return replies
 
 
 def show(desk: Desk, id: str) -> Any:

@@ -1,7 +1,7 @@
 """Leitner's boxes: what was right moves one box up, what was wrong goes back to the first.
 
 A question in one box is drawn half as often as one in the box below, so that practice returns to
-what does not sit yet. The boxes are kept beside the responses, in ``practice.json``.
+what is not known yet. The boxes are kept beside the responses, in ``practice.json``.
 
 Source: S. Leitner, *So lernt man lernen*, Freiburg 1972.
 """
@@ -19,7 +19,7 @@ from autograder.student.responses import Responses
 
 FILE = "practice"
 BOXES = 5
-SITS = 4  # from this box on, what is in it sits
+KNOWN = 4  # from this box on, what is in it counts as known
 
 
 @dataclass(frozen=True)

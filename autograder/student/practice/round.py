@@ -15,7 +15,7 @@ from autograder.kinds.registry import kind_of
 from autograder.student.desk import Desk
 from autograder.student.marker_client import key_marker
 from autograder.student.practice.another import another_one, can_practise
-from autograder.student.practice.boxes import BOXES, SITS, Boxes, Card, draw
+from autograder.student.practice.boxes import BOXES, KNOWN, Boxes, Card, draw
 from autograder.student.practice.desk import can_be_read
 from autograder.student.responses import attempts, responses_folder
 from autograder.student.widgets.base import CourseWidget
@@ -138,8 +138,8 @@ class Practice:
 
 
 def summary(placed: list[Placed]) -> str:
-    """How much sits, in words."""
+    """How much is known, in words."""
     if not placed:
         return "There is nothing to practise here, since the answers are not at hand."
-    sits = sum(entry.card.box >= SITS for entry in placed)
-    return f"{sits} of {len(placed)} questions sit: they are in box {SITS} or {BOXES}."
+    known = sum(entry.card.box >= KNOWN for entry in placed)
+    return f"You know {known} of {len(placed)} questions: they are in box {KNOWN} or {BOXES}."

@@ -11,6 +11,7 @@ import traitlets
 
 from autograder.errors import AutograderError
 from autograder.student.desk import Desk
+from autograder.student.receipts import RECEIPT, receipt
 
 if TYPE_CHECKING:
     from IPython.display import DisplayHandle
@@ -27,6 +28,18 @@ def source(*names: str | Path) -> str:
 def escaped(text: str) -> str:
     """Text as HTML that shows it."""
     return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
+
+
+def receipt_output(words: str, id: str, response: object) -> dict[str, object]:
+    """The output that says in words what was kept, with the receipt where anything was."""
+    output: dict[str, object] = {
+        "text/plain": words,
+        # Hidden while the widget itself is drawn.
+        "text/html": f'<p class="autograder-receipt"><small>{escaped(words)}</small></p>',
+    }
+    if response is not None:
+        output[RECEIPT] = receipt(id, response)
+    return output
 
 
 class CourseWidget(anywidget.AnyWidget):

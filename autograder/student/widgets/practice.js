@@ -1,7 +1,7 @@
-// A round of practice: start, the question, next, and what sits.
+// A round of practice: start, the question, next, and what is known.
 
 function render({ model, el }) {
-  const { label, boxes, sits } = model.get("fixed");
+  const { label, boxes, known } = model.get("fixed");
   const root = openFrame(el, label);
   const controls = make("fieldset", { class: "ag-controls", "aria-label": label });
   const start = make("button", { type: "button", class: "ag-check" }, "Start a round of ten minutes");
@@ -63,8 +63,8 @@ function render({ model, el }) {
 
   function cell(row, n) {
     const here = row.box === n;
-    const name = here ? `ag-box ag-here ${n >= sits ? "ag-sits" : ""}` : "ag-box";
-    return make("td", { class: name }, here ? (n >= sits ? "✓" : "●") : "");
+    const name = here ? `ag-box ag-here ${n >= known ? "ag-known" : ""}` : "ag-box";
+    return make("td", { class: name }, here ? (n >= known ? "✓" : "●") : "");
   }
 
   function showClock(running) {

@@ -1,10 +1,10 @@
-"""A round of practice: the question, the way to the next one, and a picture of what sits."""
+"""A round of practice: the question, the way to the next one, and a picture of what is known."""
 
 from __future__ import annotations
 
 from autograder.reports.markdown import inline
 from autograder.student.desk import Desk
-from autograder.student.practice.boxes import BOXES, SITS
+from autograder.student.practice.boxes import BOXES, KNOWN
 from autograder.student.practice.round import Practice, summary
 from autograder.student.widgets.base import CourseWidget, source
 
@@ -21,7 +21,7 @@ class PracticeWidget(CourseWidget):
         practice.on_change = lambda: self.follow("")
 
     def what_is_fixed(self) -> dict[str, object]:
-        return {"label": "Practice", "boxes": BOXES, "sits": SITS}
+        return {"label": "Practice", "boxes": BOXES, "known": KNOWN}
 
     def what_is_kept(self) -> dict[str, object]:
         placed = self.practice.placed()

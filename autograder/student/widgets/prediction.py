@@ -8,8 +8,7 @@ from autograder.exchange.messages import Message
 from autograder.kinds.typed import parse, value_of
 from autograder.reports.markdown import inline, markdown
 from autograder.student.desk import Desk
-from autograder.student.receipts import RECEIPT, receipt
-from autograder.student.widgets.base import CourseWidget, escaped, source
+from autograder.student.widgets.base import CourseWidget, receipt_output, source
 
 
 class PredictionWidget(CourseWidget):
@@ -40,13 +39,7 @@ class PredictionWidget(CourseWidget):
         value = self.desk.prediction(self.prediction)
         said = "nothing yet." if value is None else self.prediction.in_words(value)
         words = f"Predicted for {self.prediction.id}: {said}"
-        bundle: dict[str, object] = {
-            "text/plain": words,
-            "text/html": f'<p class="autograder-receipt"><small>{escaped(words)}</small></p>',
-        }
-        if value is not None:
-            bundle[RECEIPT] = receipt(self.prediction.id, value)
-        return bundle
+        return receipt_output(words, self.prediction.id, value)
 
     def do_choose(self, message: Message) -> dict[str, object]:
         """Keep a choice, by its number from 0."""

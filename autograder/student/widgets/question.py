@@ -14,10 +14,9 @@ from autograder.language import _, n_
 from autograder.reports.markdown import inline, markdown
 from autograder.student.desk import Desk, hints_open
 from autograder.student.frontend import in_vscode
-from autograder.student.receipts import RECEIPT, receipt
 from autograder.student.responses import attempts
 from autograder.student.views import points_of
-from autograder.student.widgets.base import CourseWidget, escaped
+from autograder.student.widgets.base import CourseWidget, receipt_output
 
 
 class QuestionWidget(CourseWidget):
@@ -124,14 +123,7 @@ class QuestionWidget(CourseWidget):
             line = kind_of(self.question).respond_line(self.question, response)
             said = _("If there is nothing to click, answer in a cell: {line}")
             words += f" {said.format(line=line)}"
-        bundle: dict[str, object] = {
-            "text/plain": words,
-            # Hidden while the widget itself is drawn.
-            "text/html": f'<p class="autograder-receipt"><small>{escaped(words)}</small></p>',
-        }
-        if response is not None:
-            bundle[RECEIPT] = receipt(self.question.id, response)
-        return bundle
+        return receipt_output(words, self.question.id, response)
 
     def words(self, response: object) -> str:
         """The response for people to read."""
