@@ -138,6 +138,44 @@ def test_a_verdict_on_what_was_read_stands(pond, sent):
     assert child.state["verdict"] == verdict != {}
 
 
+FORMULA = """
+[[question]]
+id = "Q1.7"
+kind = "expression"
+title = "Any number of fish"
+points = 1
+story = "pond"
+variable = "frogs_of"
+prompt = "Twice as many frogs as fish: a formula in $f$."
+hints = ["Double."]
+[question.symbols]
+f = "fish"
+"""
+KEY_OF_FORMULA = """
+["Q1.7"]
+sample = {f = [1, 9]}
+alternative = [
+    {name = "right", credit = 1, expression = "2*f"},
+    {name = "a number", credit = 0.25, expression = "{2*fish}", feedback = "Not {fish} fish only."},
+    {name = "as many", credit = 0.25, expression = "f", feedback = "Twice as many."},
+]
+"""
+
+
+def test_a_formula_that_nobody_has_answered_yet_is_not_practised(pond, sent):
+    """Only its feedback has numbers: another one would ask the same, and tell its answer."""
+    for folder, more in (("notebooks/questions", FORMULA), ("solutions/answers", KEY_OF_FORMULA)):
+        path = pond / folder / "garden.toml"
+        path.write_text(path.read_text() + more)
+    desk = Desk(load_course())
+    assert "Q1.7" in desk.course.varied
+    practised = [placed.question.id for placed in Practice(desk).placed()]
+    assert "Q1.6" in practised
+    assert "Q1.7" not in practised
+    question = desk.course.question("Q1.7")
+    assert not kind_of(question).widget(desk, question).fixed["another"]
+
+
 def test_the_boxes_are_leitners():
     card = Card(1)
     for box in (2, 3, 4, 5, 5):

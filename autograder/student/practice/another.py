@@ -10,7 +10,7 @@ from autograder.errors import UsageError
 from autograder.kinds.registry import kind_of
 from autograder.student.desk import Desk
 from autograder.student.marker_client import key_marker
-from autograder.student.practice.desk import PracticeDesk, can_be_read, has_variants
+from autograder.student.practice.desk import MOST_TRIED, PracticeDesk, can_be_read, has_variants
 from autograder.student.widgets.base import CourseWidget
 
 OnResult = Callable[[bool], object]
@@ -49,9 +49,13 @@ def another_one(
 
 
 def _fresh(desk: Desk, id: str, unlike: int) -> int:
-    """Any variant but the student's own and the last one, where there are others."""
-    variables = desk.course.varied[id].variables
-    assert variables is not None
-    taken = {desk.course.variants.get(id, 0), unlike}
-    free = [n for n in range(variables.count) if n not in taken] or list(range(variables.count))
-    return secrets.choice(free)
+    """Any variant that asks something else than the student's own and the last one, if it can."""
+    written = desk.course.varied[id]
+    assert written.variables is not None
+    asked = [written.question(n) for n in (desk.course.variants.get(id, 0), unlike) if n >= 0]
+    variant = 0
+    for _ in range(MOST_TRIED):
+        variant = secrets.randbelow(written.variables.count)
+        if written.question(variant) not in asked:
+            break
+    return variant

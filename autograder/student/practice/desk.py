@@ -15,6 +15,8 @@ from autograder.student.desk import Desk
 from autograder.student.marker_client import MarkerClient, VariantMarker, key_marker
 from autograder.student.responses import Responses
 
+MOST_TRIED = 100  # variants, until one is found that asks in other words
+
 
 class PracticeDesk(Desk):
     """One variant of one question, asked for practice.
@@ -87,8 +89,17 @@ class _InMemory(Responses):
 
 
 def has_variants(desk: Desk, question: Question) -> bool:
-    """Whether a fresh variant of a question can be drawn and marked here."""
-    return question.id in desk.course.varied and key_marker(desk.course, question.id) is not None
+    """Whether a fresh variant of a question can be drawn and marked here.
+
+    One whose words are the same in all variants has none: what it asks is a formula, say, and only
+    its feedback has numbers.
+    """
+    written = desk.course.varied.get(question.id)
+    if written is None or written.variables is None:
+        return False
+    sheet, others = written.question(0), range(1, min(written.variables.count, MOST_TRIED))
+    differs = any(written.question(variant) != sheet for variant in others)
+    return differs and key_marker(desk.course, question.id) is not None
 
 
 def can_be_read(desk: Desk, question: Question) -> bool:

@@ -14,9 +14,9 @@ from autograder.exchange.responses import Entry
 from autograder.kinds.registry import kind_of
 from autograder.student.desk import Desk
 from autograder.student.marker_client import key_marker
-from autograder.student.practice.another import another_one, can_practise
+from autograder.student.practice.another import another_one
 from autograder.student.practice.boxes import BOXES, KNOWN, Boxes, Card, draw
-from autograder.student.practice.desk import can_be_read
+from autograder.student.practice.desk import can_be_read, has_variants
 from autograder.student.responses import attempts, responses_folder
 from autograder.student.widgets.base import CourseWidget
 
@@ -63,8 +63,8 @@ class Practice:
         """Whether practice may ask it: what has no variants would tell an answer not yet given."""
         if question.id in self._unreadable or kind_of(question).by_hand:
             return False
-        if question.id in self._desk.course.varied:
-            return can_practise(self._desk, question)
+        if has_variants(self._desk, question):
+            return True
         if question.name is not None and not kind_of(question).has_field:
             known = can_be_read(self._desk, question)
         else:
@@ -142,4 +142,4 @@ def summary(placed: list[Placed]) -> str:
     if not placed:
         return "There is nothing to practise here, since the answers are not at hand."
     known = sum(entry.card.box >= KNOWN for entry in placed)
-    return f"You know {known} of {len(placed)} questions: they are in box {KNOWN} or {BOXES}."
+    return f"You know {known} of {len(placed)} questions, those in boxes {KNOWN} and {BOXES}."
