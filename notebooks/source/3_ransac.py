@@ -72,7 +72,7 @@ figures.hypothesis(points, fit_line(points), threshold=0.1)
 # 4. Repeat, and keep the model with the largest consensus set.
 # 5. **Refit**: at the end, fit the model again by least squares, to its consensus set only.
 #
-# The picture shows one model and its consensus set, among 26 points. In the title stands what counts:
+# The picture shows one model and its consensus set, among 26 points. The title says what counts:
 
 # %% demo=true
 few = figures.few_points()
