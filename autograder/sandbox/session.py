@@ -140,12 +140,14 @@ class Session:
     def _run(self, names: list[str]) -> Report:
         settings = self._settings
         end = min(time.monotonic() + settings.notebook_seconds * PATIENCE, self._deadline)
-        began = time.monotonic()
+        began, had_before = time.monotonic(), self._doubt.own_seconds
         while True:
             if self._channel is None:
                 self._open()
-            # What was lost with a process that had to be stopped is not given again.
-            left = max(GRACE, settings.notebook_seconds - (time.monotonic() - began))
+            # What processes that had to be stopped have had is not given again; what they waited
+            # for a processor is no loss.
+            had = self._doubt.own_seconds - had_before
+            left = max(GRACE, settings.notebook_seconds - had)
             message = {
                 "do": "run",
                 "cells": self._cells,

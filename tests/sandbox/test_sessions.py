@@ -185,6 +185,32 @@ def test_cells_after_the_notebooks_time_are_not_run(sandbox):
     assert errors == [None] * first + ["timeout"] * (8 - first)
 
 
+def test_a_notebook_begun_anew_loses_only_the_time_that_it_had(sandbox, monkeypatch):
+    """Others may have kept a stopped process waiting: the clock goes on, its own time does not."""
+    from types import SimpleNamespace
+
+    from msgspec.structs import replace
+
+    from autograder.sandbox import session as module
+
+    waited = 0.0
+    clock = SimpleNamespace(monotonic=lambda: time.monotonic() + waited)
+    monkeypatch.setattr(module, "time", clock)
+
+    class Waiting(module.Session):
+        def _restart(self) -> None:
+            nonlocal waited
+            waited = 100.0
+            super()._restart()
+
+    limits = replace(sandbox._course.settings, notebook_seconds=30, cell_seconds=30)
+    with Waiting(sandbox._take_host, limits, 0) as session:
+        cells = ["import os, time\nos._exit(0)", "import time", *["time.sleep(0.5)"] * 4, "k = 1"]
+        report = session.run(cells, ["k"])
+    assert report["errors"] == ["killed", *[None] * 6]
+    assert report["understood"] == {"k": "1"}
+
+
 def test_processor_time_is_limited_by_a_setting_and_the_mark_says_so(sandbox):
     from msgspec.structs import replace
 
