@@ -21,6 +21,7 @@ from autograder.cli import (
     build,
     check,
     collect,
+    deal,
     doctor,
     export,
     feedback,
@@ -48,7 +49,7 @@ __all__ = ["BROKEN", "DONE", "INTERRUPTED", "WRONG_USAGE", "main"]
 _COMMANDS = (
     *(collect, intake, grade, regrade, show, override, note),
     *(mark, merge, adjust, export, feedback, similar, mistakes, release),
-    *(new, build, check, watch, schema, doctor),
+    *(new, build, deal, check, watch, schema, doctor),
 )
 
 

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import TypeVar
 
 from autograder.course.answers import Answer, answer_from_table
+from autograder.course.places import Places, read_places
 from autograder.course.predictions import Prediction
 from autograder.course.questions import Question, Written
 from autograder.course.settings import Settings, read_settings
@@ -52,6 +53,7 @@ class Course:
     own_kinds: tuple[str, ...] = ()  # packages of the kinds of question that it brings along
     personal: bool = False  # whether each student has numbers of their own
     others_count: bool = True  # whether work on somebody else's numbers counts
+    places: Places | None = None  # in the class list, if it was dealt
     variants: Mapping[str, int] = field(default_factory=dict)  # of the questions that have any
 
     @cached_property
@@ -113,7 +115,7 @@ class Course:
         written = self.varied.get(id)
         if not self.personal or not student or written is None or written.variables is None:
             return ()
-        return written.entries(written.variables.variant_of(written.chapter, student))
+        return written.entries(self.variant_of(id, student))
 
     def story(self, name: str) -> dict[str, int | float]:
         """The numbers of a story here, by their names.
@@ -163,11 +165,14 @@ class Course:
         """
         if not self.personal or not student.strip():
             return self
-        found = {}
-        for id, written in self.varied.items():
-            assert written.variables is not None
-            found[id] = written.variables.variant_of(written.chapter, student)
-        return self.with_variants(found)
+        return self.with_variants({id: self.variant_of(id, student) for id in self.varied})
+
+    def variant_of(self, id: str, student: str) -> int:
+        """The variant of a question that a student has, who says what they are called."""
+        written = self.varied[id]
+        assert written.variables is not None
+        place = None if self.places is None else self.places.of(student)
+        return written.variables.variant_of(written.chapter, student, place)
 
     @property
     def has_key(self) -> bool:
@@ -243,6 +248,7 @@ class Course:
         digest.update(f"{self.settings}\0{sorted(self.demo_cells)}\0".encode())
         if self.personal:
             digest.update(f"{self.others_count}\0".encode())
+            digest.update(f"{self.places.text() if self.places else ''}\0".encode())
         for top, folder, pattern, left_out in (
             (self.root, QUESTIONS, "*.toml", ()),
             (self.root, ANSWERS, "*.toml", ()),
@@ -346,6 +352,7 @@ def load_course(root: Path | None = None) -> Course:
         settings.kinds,
         personal=settings.variants == "student",
         others_count=settings.others_numbers == "count",
+        places=read_places(root),
     )
 
 

@@ -43,6 +43,5 @@ def _names(graded: Graded, people: Iterable[Person]) -> set[str]:
     """Everything that a student may call themselves."""
     names = {graded.submission.student}
     for person in people:
-        last, _, first = person.name.partition(",")
-        names |= {person.name, f"{first} {last}", person.number, *person.identifiers()}
+        names.update(person.names_said())
     return {canonical(name) for name in names if name.strip()}

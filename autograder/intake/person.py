@@ -34,6 +34,13 @@ class Person:
         found = (self.login, self.email, self.id, self.sis_id, self.github)
         return tuple(dict.fromkeys(text for text in found if text))
 
+    def names_said(self) -> tuple[str, ...]:
+        """Everything that they may call themselves in a notebook."""
+        last, comma, first = self.name.partition(",")
+        turned = f"{first.strip()} {last.strip()}" if comma else ""
+        said = (self.name, turned, self.number, *self.identifiers())
+        return tuple(dict.fromkeys(text for text in said if text.strip()))
+
     def text(self) -> str:
         """The person for a list: the name, and what tells two of one name apart."""
         apart = self.email or self.login or self.sis_id or self.id or self.github

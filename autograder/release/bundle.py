@@ -13,6 +13,7 @@ from autograder.authoring.build import build_student_notebooks
 from autograder.authoring.practice import PRACTICE, practice_files
 from autograder.authoring.pyproject import bundle_pyproject, kinds_setting
 from autograder.course import Course
+from autograder.course.places import FILE as PLACES
 from autograder.errors import CourseError, UsageError
 from autograder.marking.snapshots import SNAPSHOTS
 from autograder.release import practice_workflow
@@ -72,6 +73,8 @@ def release(
             text = json.dumps(snapshots, indent=1)
             _write(folder / SNAPSHOTS / f"{chapter.name}.json", text + "\n")
         _write(folder / "pyproject.toml", bundle_pyproject(course, "-student"))
+        if course.personal and course.places is not None:
+            _write(folder / PLACES, course.places.text())
         _write(folder / "README.md", student_readme(course, practice, checked))
         _write(folder / ".gitignore", _IGNORED)
         for file in practised:

@@ -50,13 +50,12 @@ class VariantSums:
         name = record.graded.numbers_of
         if not self._course.personal or not name:
             return
-        for id, written in self._course.varied.items():
+        for id in self._course.varied:
             mark = record.marks.get(id)
             if mark is None or mark.status not in ("right", "partial", "wrong"):
                 continue
-            assert written.variables is not None
             variants, credits = self._earned.setdefault(id, ([], []))
-            variants.append(written.variables.variant_of(written.chapter, name))
+            variants.append(self._course.variant_of(id, name))
             credits.append(mark.credit)
 
     def difficulties(self) -> list[Difficulty]:
