@@ -17,7 +17,7 @@ from pathlib import Path
 import nbformat
 from nbclient import NotebookClient
 
-from autograder.authoring.build import STUDENT
+from autograder.authoring.build import START_ID, STUDENT
 from autograder.authoring.executed import surroundings
 from autograder.authoring.masters import Master, read_masters
 from autograder.cli import parser
@@ -91,6 +91,8 @@ def _write_chapter(path: Path, course: Course, master: Master) -> None:
     for cell in notebook.cells:
         if cell.id.endswith("-check") or cell.source.strip() == "progress()":
             cell.outputs = []  # "not attempted", of each question
+        if cell.id == START_ID:  # it says how to install the course
+            cell.metadata.tags = ["remove-cell"]
     notebook.metadata[MADE_FROM] = made_from
     _write(path, nbformat.writes(notebook) + "\n")
 

@@ -33,9 +33,8 @@ def listed() -> list[str]:
     """What the lists of the first page name."""
     index = (DOCS / "index.md").read_text(encoding="utf-8")
     lists = re.findall(r"(?ms)^```\{toctree\}\n(.*?)^```", index)
-    return [
-        line for text in lists for line in text.splitlines() if line and not line.startswith(":")
-    ]
+    lines = [line for text in lists for line in text.splitlines()]
+    return [line.split("<")[-1].rstrip(">") for line in lines if line and line[0] != ":"]
 
 
 def test_every_page_is_in_a_list_and_every_listed_page_is_there(pages: ModuleType):
