@@ -161,11 +161,9 @@ function render({ model, el }) {
     const wall = wallOf(cloud, threshold.get());
     const inWall = new Set(wall);
     runs = Array.from({ length: RUNS }, (_, n) => {
-      const one = { random: randomNumbers(1000 + n), drawn: 0, best: null, asked: [], clean: 0 };
-      for (let i = 0; i < k; i += 1) {
-        advance(one, cloud, threshold.get(), false);
-        if (one.last.pair.indices.every((index) => inWall.has(index))) one.clean += 1;
-      }
+      const one = { clean: 0 };
+      const look = ({ indices: [i, j] }) => { if (inWall.has(i) && inWall.has(j)) one.clean += 1; };
+      one.best = bestOf(k, randomNumbers(1000 + n), cloud, threshold.get(), look);
       one.kept = one.best.inliers.filter((index) => inWall.has(index)).length;
       one.state = one.kept >= ENOUGH * wall.length ? "found" : one.clean ? "poor" : "spoilt";
       return one;
@@ -209,13 +207,26 @@ function spoiltChance(share, count) {
 }
 
 // One more sample: the line through it, its votes, and how many samples the best so far asks for.
-function advance(run, cloud, threshold, counted = true) {
+function advance(run, cloud, threshold) {
   const pair = samplePair(cloud, run.random);
-  const inliers = agreeing(cloud, pair, threshold);
-  run.last = { pair, inliers };
+  run.last = { pair, inliers: agreeing(cloud, pair, threshold) };
   run.drawn += 1;
-  if (!run.best || inliers.length > run.best.inliers.length) run.best = run.last;
-  if (counted) run.asked.push(iterations(run.best.inliers.length / cloud.length, 2, ALLOWED));
+  if (!run.best || run.last.inliers.length > run.best.inliers.length) run.best = run.last;
+  run.asked.push(iterations(run.best.inliers.length / cloud.length, 2, ALLOWED));
+}
+
+// The best of so many samples; `seen` is told of each pair. Votes are counted, and listed only for a
+// new best: a hundred runs are to be there at once.
+function bestOf(count, random, cloud, threshold, seen = () => {}) {
+  let best = null;
+  let most = -1;
+  for (let n = 0; n < count; n += 1) {
+    const pair = samplePair(cloud, random);
+    seen(pair);
+    const votes = countAgreeing(cloud, pair, threshold);
+    if (votes > most) [best, most] = [pair, votes];
+  }
+  return { pair: best, inliers: agreeing(cloud, best, threshold) };
 }
 
 // Two points at different places.
@@ -227,21 +238,28 @@ function samplePair(cloud, random) {
   }
 }
 
-function agreeing(cloud, { from, to }, threshold) {
-  const [dx, dy] = [to[0] - from[0], to[1] - from[1]];
+// Whether each point agrees with the line through a pair.
+function agreement({ from, to }, threshold) {
+  const [x, y, dx, dy] = [from[0], from[1], to[0] - from[0], to[1] - from[1]];
   const band = threshold * Math.sqrt(dx * dx + dy * dy);
-  const found = [];
-  cloud.forEach(([x, y], n) => {
-    if (Math.abs((x - from[0]) * dy - (y - from[1]) * dx) <= band) found.push(n);
-  });
-  return found;
+  return (point) => Math.abs((point[0] - x) * dy - (point[1] - y) * dx) <= band;
+}
+
+function agreeing(cloud, pair, threshold) {
+  const agrees = agreement(pair, threshold);
+  return [...cloud.keys()].filter((n) => agrees(cloud[n]));
+}
+
+function countAgreeing(cloud, pair, threshold) {
+  const agrees = agreement(pair, threshold);
+  let count = 0;
+  for (let n = 0; n < cloud.length; n += 1) if (agrees(cloud[n])) count += 1;
+  return count;
 }
 
 // The points of the largest wall: what the best of very many samples agrees with.
 function wallOf(cloud, threshold) {
-  const search = { random: randomNumbers(5), drawn: 0, best: null, asked: [] };
-  for (let n = 0; n < TRIES; n += 1) advance(search, cloud, threshold, false);
-  return search.best.inliers;
+  return bestOf(TRIES, randomNumbers(5), cloud, threshold).inliers;
 }
 
 // The measured points, moved by noise, and strangers anywhere among them: the same at each call.

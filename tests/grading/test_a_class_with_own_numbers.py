@@ -17,7 +17,6 @@ from autograder.marking.draw import draw
 from autograder.marking.marker import OTHER_NUMBERS
 
 ROOT = Path(__file__).parents[2]
-CHAPTER = "ransac"
 
 
 @pytest.fixture(scope="module")
@@ -30,18 +29,41 @@ def personal(tmp_path_factory: pytest.TempPathFactory) -> Course:
     return load_course(root)
 
 
-def hand_in(folder: Path, name: str, values: dict[str, Any], choices: dict[str, Any]) -> None:
-    """What ``submit()`` packs: values assigned in the notebook, and choices kept beside it."""
-    lines = [f"{variable} = {value!r}" for variable, value in values.items()]
-    cell = {"cell_type": "code", "id": "c1", "metadata": {}, "outputs": [], "execution_count": None}
-    cells = [{**cell, "source": "\n".join(lines)}]
-    notebook = {"cells": cells, "metadata": {}, "nbformat": 4, "nbformat_minor": 5}
+class Typed(str):
+    """What stands in a cell as it is."""
+
+    __repr__ = str.__str__
+
+
+def hand_in(
+    course: Course, folder: Path, name: str, values: dict[str, Any], choices: dict[str, Any]
+) -> None:
+    """What ``submit()`` packs: values assigned in a notebook, and choices kept beside it."""
     (folder / name / "responses").mkdir(parents=True)
-    (folder / name / f"3_{CHAPTER}.ipynb").write_text(json.dumps(notebook))
-    kept = {id: {"response": response} for id, response in choices.items()}
-    for file, entries in ((CHAPTER, kept), (FILE, {FILE: {"response": name}})):
-        text = json.dumps({"responses": entries})
-        (folder / name / "responses" / f"{file}.json").write_text(text)
+    for number, chapter in enumerate(course.chapters, 1):
+        names = {question.name for question in chapter.questions}
+        lines = ["import sympy as sp", "w = sp.Symbol('w')"]
+        lines += [f"{key} = {value!r}" for key, value in values.items() if key in names]
+        cell = {"cell_type": "code", "id": "c1", "metadata": {}, "outputs": []}
+        cells = [{**cell, "execution_count": None, "source": "\n".join(lines)}]
+        notebook = {"cells": cells, "metadata": {}, "nbformat": 4, "nbformat_minor": 5}
+        path = folder / name / f"{number}_{chapter.name}.ipynb"
+        path.write_text(json.dumps(notebook))
+        ids = [question.id for question in chapter.questions if question.id in choices]
+        kept = {id: {"response": choices[id]} for id in ids}
+        _keep(folder / name, chapter.name, kept)
+    _keep(folder / name, FILE, {FILE: {"response": name}})
+
+
+def _keep(folder: Path, file: str, entries: dict[str, Any]) -> None:
+    (folder / "responses" / f"{file}.json").write_text(json.dumps({"responses": entries}))
+
+
+def in_wrong_order(answer: Any, mistake: Any) -> list[str]:
+    """The right order, with the card that the mistake has too early moved before the other."""
+    cards = [card for card in answer.order if card != mistake.first]
+    cards.insert(cards.index(mistake.second), mistake.first)
+    return cards
 
 
 def grade(course: Course, folder: Path, out: Path, ids: list[str]) -> dict[str, dict[str, Any]]:
@@ -58,35 +80,58 @@ def grade(course: Course, folder: Path, out: Path, ids: list[str]) -> dict[str, 
 @pytest.mark.parametrize("students", [12, pytest.param(300, marks=pytest.mark.long)])
 def test_right_work_earns_all_and_each_mistake_its_name(students, personal, tmp_path, capsys):
     """Each student makes another mistake in each question; what is expected is told by the key."""
-    ids = [
-        id for id, q in personal.questions.items() if id.startswith("Q3.2") and q.kind == "number"
-    ]
-    expected: dict[str, dict[str, Any]] = {}
+    by_kind: dict[str, list[str]] = {}
+    for id in personal.varied:
+        by_kind.setdefault(personal.question(id).kind, []).append(id)
+    assert by_kind == {
+        "true_false": ["Q1.1", "Q2.1", "Q3.1"],
+        "order": ["Q1.2"],
+        "expression": ["Q3.2.3a"],
+        "number": [f"Q3.2.{part}" for part in ("1", "2", "3b", "4", "5")],
+    }
+    expected: dict[str, dict[str, tuple[str | None, float | None]]] = {}
     stories = set()
     for n in range(students):
         name = f"student {n:03}"
         own = personal.for_student(name)
         stories.add(tuple(own.story("cloud").values()))
-        values, expected[name] = {}, {}
-        for id in ids:
+        values, choices, wanted = {}, {}, {}
+        for id in by_kind["number"]:
             question, answer = own.question(id), own.key[id]
             chosen = answer.alternatives[n % len(answer.alternatives)]
             drawn = draw(question, answer, 1, own.root)
-            values[question.name] = kind_of(question).response_like(question, chosen, drawn)[
-                "value"
-            ]
-            expected[name][id] = chosen.name, chosen.credit
-        truths = [statement.truth for statement in own.key["Q3.1"].statements]
-        if n % 2:
-            truths[n % len(truths)] ^= True
-        expected[name]["Q3.1"] = None, 1 - 0.25 * (n % 2)
-        hand_in(tmp_path / "class", name, values, {"Q3.1": truths})
+            like = kind_of(question).response_like(question, chosen, drawn)
+            values[question.name] = like["value"]
+            wanted[id] = chosen.name, chosen.credit
+        for id in by_kind["expression"]:
+            answer = own.key[id]
+            chosen = answer.alternatives[n % len(answer.alternatives)]
+            values[own.question(id).name] = Typed(chosen.expression)
+            wanted[id] = chosen.name, chosen.credit
+        for id in by_kind["true_false"]:
+            truths = [statement.truth for statement in own.key[id].statements]
+            if n % 2:
+                truths[n % len(truths)] ^= True
+            choices[id] = truths
+            wanted[id] = None, 1 - n % 2 / len(truths)
+        for id in by_kind["order"]:
+            answer = own.key[id]
+            ways = [None, *answer.alternatives]
+            chosen = ways[n % len(ways)]
+            choices[id] = in_wrong_order(answer, chosen) if chosen else list(answer.order)
+            wanted[id] = (chosen.name, None) if chosen else (None, 1)
+        expected[name] = wanted
+        hand_in(personal, tmp_path / "class", name, values, choices)
     assert len(stories) > students / 3 or len(stories) == 24
-    marked = grade(personal, tmp_path / "class", tmp_path / "grades", [*ids, "Q3.1"])
+    marked = grade(personal, tmp_path / "class", tmp_path / "grades", list(personal.varied))
+    assert set(marked) == set(expected)
     for name, wanted in expected.items():
         for id, (mistake, credit) in wanted.items():
             mark = marked[name][id]
-            assert mark.credit == pytest.approx(credit), (name, id)
+            if credit is None:
+                assert mark.credit < 1, (name, id)
+            else:
+                assert mark.credit == pytest.approx(credit), (name, id)
             assert mistake in (None, mark.alternative), (name, id)
 
 
@@ -98,8 +143,8 @@ def test_the_answers_of_a_neighbor_are_noticed(personal, tmp_path, capsys):
         own = personal.for_student(name)
         right[name] = {own.question(id).name: int(own.key[id].alternatives[0].value) for id in ids}
     assert all(right[first][name] != right[second][name] for name in right[first])
-    hand_in(tmp_path / "class", first, right[second], {})
-    hand_in(tmp_path / "class", second, right[first], {})
+    hand_in(personal, tmp_path / "class", first, right[second], {})
+    hand_in(personal, tmp_path / "class", second, right[first], {})
     marked = grade(personal, tmp_path / "class", tmp_path / "grades", ids)
     # The right number of one may be what a mistake gives with the numbers of another.
     for marks in marked.values():
