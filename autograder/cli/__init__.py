@@ -44,7 +44,7 @@ from autograder.cli.status import BROKEN, DONE, INTERRUPTED, WRONG_USAGE
 from autograder.errors import AutograderError, UsageError, machine_error
 from autograder.reports.plain_text import make_plain
 
-__all__ = ["BROKEN", "DONE", "INTERRUPTED", "WRONG_USAGE", "main"]
+__all__ = ["BROKEN", "DONE", "INTERRUPTED", "WRONG_USAGE", "main", "parser"]
 
 _COMMANDS = (
     *(collect, intake, grade, regrade, show, override, note),
@@ -60,7 +60,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     usage; 130: interrupted.
     """
     make_plain(sys.stdout, sys.stderr)
-    parsed = _parser().parse_args(arguments)
+    parsed = parser().parse_args(arguments)
     console = Console(highlight=False)
     try:
         return int(parsed.run(parsed, console))
@@ -84,22 +84,23 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return BROKEN
 
 
-def _parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(
+def parser() -> argparse.ArgumentParser:
+    """The whole command line, for reading arguments and for the page that lists them."""
+    whole = argparse.ArgumentParser(
         prog="autograder",
         description="Mark a course, see how the class did, and write the notebooks.",
         epilog="AUTOGRADER_COURSE names the course's folder where --course is not given. "
         "All environment variables are described in docs/engine.md.",
     )
-    parser.add_argument(
+    whole.add_argument(
         "--course", type=Path, metavar="DIR", help="the course's folder (default: found from here)"
     )
-    parser.add_argument(
+    whole.add_argument(
         "--version",
         action="version",
         version=f"autograder {__version__} (Python {platform.python_version()})",
     )
-    commands = parser.add_subparsers(required=True, metavar="COMMAND")
+    commands = whole.add_subparsers(required=True, metavar="COMMAND")
     for command in _COMMANDS:
         command.add(commands)
-    return parser
+    return whole
