@@ -14,7 +14,7 @@ from autograder.kinds.question import Question
 class Around:
     """What stands around a question, with which a wrong response may have been mixed up.
 
-    ``neighbours`` are the other questions of the same kind in its chapter with their keys, and
+    ``neighbors`` are the other questions of the same kind in its chapter with their keys, and
     ``numbers`` those that the chapter's notebook gives to names, such as ``w = 0.2``.
     """
 

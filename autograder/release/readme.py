@@ -6,6 +6,17 @@ from collections.abc import Collection
 
 from autograder.course import Course
 
+# The course's folder is put on the path by hand: a kernel that runs does not see what was installed
+# to be edited, and restarting it would ask the student for another step.
+COLAB = """\
+from google.colab import drive
+drive.mount("/content/drive")
+COURSE = "/content/drive/MyDrive/course"
+%cd -q {COURSE}/notebooks
+%pip install -q -e {COURSE}
+import sys
+sys.path.insert(0, COURSE)"""
+
 
 def student_readme(
     course: Course, practice: Collection[str] = (), checked: Collection[str] = ()
@@ -53,6 +64,14 @@ python3 -m venv .venv
 . .venv/bin/activate            # Windows: .venv\\Scripts\\activate
 pip install -e ".[lab]"
 jupyter lab notebooks/{first}
+```
+
+In Google Colab: put this folder into your Drive under the name `course`, open a notebook of it
+there, and make this its first cell. It installs what Colab lacks and leaves its kernel as it is.
+Run it whenever Colab gives you a new machine; your answers stay in your Drive.
+
+```python
+{COLAB}
 ```
 
 ## Answer

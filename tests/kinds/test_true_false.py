@@ -39,6 +39,11 @@ def test_a_wrong_call_gets_its_misconception_and_an_open_one_says_so(marker):
     assert mark.understood == "true, true, –"
 
 
+def test_all_wrong_statements_are_named(marker):
+    mark = marker.mark("Q1.1", [False, True, False])
+    assert mark.feedback == "0 of 3 statements right. Look again at statements 1, 2, 3."
+
+
 def test_the_explanation_tells_every_truth_and_the_feedback_none(marker):
     mark = marker.mark("Q1.1", [False, False, False])
     assert mark.parts[0].explanation.startswith("True. At sea level")
@@ -49,7 +54,8 @@ def test_the_explanation_tells_every_truth_and_the_feedback_none(marker):
 
 
 def test_right_is_named_and_anything_else_is_no_alternative(marker):
-    assert marker.mark("Q1.1", [True, False, True]).alternative == "right"
+    right = marker.mark("Q1.1", [True, False, True])
+    assert (right.alternative, right.feedback) == ("right", "3 of 3 statements right.")
     assert marker.mark("Q1.1", [True, False, False]).alternative is None
 
 

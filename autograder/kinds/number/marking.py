@@ -52,7 +52,6 @@ def mark_number(
     known["evidence"] = f"value {value:.10g}"
     if (found := diagnose_number(question, answer, value, around)) is not None:
         name, feedback = found.name, found.sentence
-        known["evidence"] = found.evidence
     known["understood"] = known["understood"] or understood
     return Mark(question.id, "wrong", 0.0, question.points, feedback, name, **known)
 
@@ -72,17 +71,16 @@ def _tolerance(question: Number, alternative: NumberAlternative, value: int | fl
         and alternative.value != round(alternative.value)
     ):
         return 0.5
-    given = _decimals(value)
-    if question.decimals is None or alternative.is_mistake or given <= question.decimals:
+    if question.decimals is None or alternative.is_mistake:
         return question.tolerance
-    known = _decimals(alternative.value)
-    return min(question.tolerance, 10.0 ** -min(given, known) * (1 + 1e-9))
+    coarser = max(_last_place(value), _last_place(alternative.value))
+    return min(question.tolerance, coarser * (1 + 1e-9))
 
 
-def _decimals(value: int | float) -> int:
-    """How many decimals a number is written with."""
+def _last_place(value: int | float) -> float:
+    """What one in the last place is worth, of a finite number as it is written: 0.01 of 0.18."""
     exponent = Decimal(repr(float(value))).normalize().as_tuple().exponent
-    return max(0, -exponent) if isinstance(exponent, int) else 0
+    return float(10.0 ** int(exponent))
 
 
 def _as_number(understood: str, question: Number) -> str:
