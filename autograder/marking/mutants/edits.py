@@ -12,10 +12,12 @@ import copy
 import difflib
 from collections.abc import Callable, Iterator
 from itertools import chain
+from typing import TypeVar
 
 from autograder.marking.mutants.mutant import Mutant
 
 Function = ast.FunctionDef
+Node = TypeVar("Node", bound=ast.AST)
 # What to do to a node of a copy of the tree; a new node stands in for it, None leaves it changed.
 Edit = Callable[[ast.AST], ast.AST | None]
 MoreEdits = Callable[[ast.AST], Iterator[tuple[str, Edit]]]
@@ -56,7 +58,7 @@ def edited(
         if node in skipped:
             continue
         for operator, edit in chain(_edits(node), more(node) if more else ()):
-            tree = copy.deepcopy(function)
+            tree = _copied(function)
             _apply(tree, position, edit)
             if ast.dump(tree) in seen:
                 continue
@@ -79,7 +81,7 @@ def described(name: str, operator: str, old: Function, new: Function, line: int)
 
 def begin_with(function: Function, statement: str) -> Function:
     """The function with one statement more, before all others but the docstring."""
-    tree = copy.deepcopy(function)
+    tree = _copied(function)
     tree.body[_has_docstring(tree) : _has_docstring(tree)] = ast.parse(statement).body
     return ast.fix_missing_locations(tree)
 
@@ -326,7 +328,25 @@ def _line(node: ast.AST) -> int:
 
 
 def _code(function: Function) -> str:
-    bare = copy.deepcopy(function)
+    bare = copy.copy(function)
     if _has_docstring(bare) and len(bare.body) > 1:
-        del bare.body[0]
+        bare.body = bare.body[1:]
     return ast.unparse(bare)
+
+
+def _copied(node: Node) -> Node:
+    """A copy of a tree, made in a fraction of the time that `copy.deepcopy` takes.
+
+    Nodes that hold nothing, such as operators, are not copied: there is nothing in them to change.
+    """
+    held = vars(node)
+    if not held:
+        return node
+    copied = copy.copy(node)
+    for name, value in held.items():
+        if isinstance(value, ast.AST):
+            setattr(copied, name, _copied(value))
+        elif isinstance(value, list):
+            entries = [_copied(entry) if isinstance(entry, ast.AST) else entry for entry in value]
+            setattr(copied, name, entries)
+    return copied
