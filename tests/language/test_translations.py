@@ -23,10 +23,14 @@ from autograder.marking import Mark
 from autograder.reports.feedback_html import Feedback, feedback_html
 from autograder.reports.pictures import Pictures
 from autograder.student.views import MarkView, QuestionView
+from autograder.student.widgets.base import SENTENCE, source
+from autograder.student.widgets.base import sentences as in_other_words
 from tests.classroom import graded, make_course
 
 ENGINE = Path(language.__file__).parents[1]
 CATALOGS = sorted((ENGINE / "language").glob("*.po"))
+# Names of keys, not sentences.
+KEYS = ("Enter", "Escape", "Home", "End")
 FIELD = re.compile(r"\{(\w+)\}")
 
 
@@ -55,6 +59,9 @@ def sentences() -> dict[str, tuple[str, ...]]:
                 where = f"{path.relative_to(ENGINE)}:{node.lineno}:{node.col_offset}"
                 assert len(texts) == count, where
                 found[where] = tuple(map(str, texts))
+    for path in sorted(ENGINE.rglob("*.js")):
+        for text in SENTENCE.findall(path.read_text(encoding="utf-8")):
+            found[f"{path.relative_to(ENGINE)}: {text}"] = (text,)
     return found
 
 
@@ -112,6 +119,32 @@ def test_what_students_read_is_marked_for_translation():
             and re.search(r"(?<![\w\"=<-])[A-Za-z]{3,} [a-z]{2,}(?![^<]*>)", node.value)
         ]
     assert bare == []
+
+
+def test_what_widgets_say_is_marked_for_translation():
+    """No text of a widget's module stands bare that begins with a capital letter or has blanks."""
+    bare = []
+    for path in sorted(ENGINE.rglob("*.js")):
+        code = re.sub(r"(?m)^\s*//.*|\s//\s.*$", "", path.read_text(encoding="utf-8"))
+        code = SENTENCE.sub("", code)
+        texts = re.findall(r'"([^"\n]*)"|`([^`]*)`', code)
+        bare += [
+            f"{path.name}: {text}"
+            for text in map("".join, texts)
+            if re.search(r"^[A-Z][a-z]+$|[A-Za-z]{2,} [a-z]{2,}", re.sub(r"\$\{[^}]*\}", "", text))
+            and text not in KEYS
+            and not re.search(r"(^| )ag-|\[tabindex", text)
+        ]
+    assert bare == []
+
+
+def test_a_widget_speaks_german(monkeypatch: pytest.MonkeyPatch):
+    module = source("common.js", "question.js")
+    assert in_other_words(module) == {}
+    language.use("de")
+    words = in_other_words(module)
+    assert words["Check"] == "Prüfen"
+    assert words["Hint {number} of {count}"] == "Hinweis {number} von {count}"
 
 
 def test_a_catalog_reads_as_the_standard_library_reads_it():

@@ -21,8 +21,8 @@ function render({ model, el }) {
       "aria-describedby": help,
     });
     grip.append(make("span", { "aria-hidden": "true" }, "⠿"));
-    const up = button("▲", `Move up: ${text}`, () => step(card, -1));
-    const down = button("▼", `Move down: ${text}`, () => step(card, 1));
+    const up = button("▲", t("Move up: {text}", { text }), () => step(card, -1));
+    const down = button("▼", t("Move down: {text}", { text }), () => step(card, 1));
     const part = make("div", { class: "ag-part", hidden: true });
     const words = make("span", { class: "ag-text", html });
     const item = make("li", { class: "ag-card" }, grip, words, part, up, down);
@@ -45,6 +45,7 @@ function render({ model, el }) {
   const order = () => [...list.children].map((item) => cardOf(item).id);
   const cardOf = (item) => [...byId.values()].find((card) => card.item === item);
   const place = (card) => [...list.children].indexOf(card.item);
+  const said = ({ text }, at) => ({ text, place: at + 1, count: cards.length });
 
   function rove(card) {
     for (const other of byId.values()) other.grip.tabIndex = other === card ? 0 : -1;
@@ -53,8 +54,8 @@ function render({ model, el }) {
   function name() {
     [...list.children].forEach((item, at) => {
       const card = cardOf(item);
-      const state = picked?.card === card ? ", picked up" : "";
-      card.grip.setAttribute("aria-label", `${card.text}, ${at + 1} of ${cards.length}${state}`);
+      const label = t("{text}, {place} of {count}", said(card, at));
+      card.grip.setAttribute("aria-label", picked?.card === card ? `${label}, ${t("picked up")}` : label);
     });
   }
 
@@ -73,12 +74,12 @@ function render({ model, el }) {
   function step(card, by) {
     const to = place(card) + by;
     if (to < 0 || to >= cards.length) {
-      frame.announce(`${card.text} is ${by < 0 ? "first" : "last"} already.`);
+      frame.announce(by < 0 ? t("{text} is first already.", card) : t("{text} is last already.", card));
       return;
     }
     shift(card, to);
     card.item.scrollIntoView({ block: "nearest" });
-    frame.announce(`${card.text}: now ${to + 1} of ${cards.length}.`);
+    frame.announce(t("{text}: now {place} of {count}.", said(card, to)));
     keep();
   }
 
@@ -99,13 +100,13 @@ function render({ model, el }) {
     else if (event.key === " " || event.key === "Enter") {
       if (picked) {
         putDown();
-        frame.announce(`${card.text} put down, ${place(card) + 1} of ${cards.length}.`);
+        frame.announce(t("{text} put down, {place} of {count}.", said(card, place(card))));
       } else {
         picked = { card, before: order() };
         card.item.classList.add("ag-picked");
         name();
         frame.announce(
-          `${card.text} picked up. Arrow keys move it, Space puts it down, Escape takes it back.`,
+          t("{text} picked up. Arrow keys move it, Space puts it down, Escape takes it back.", card),
         );
       }
     } else if (event.key === "Escape" && picked) {
@@ -115,7 +116,7 @@ function render({ model, el }) {
         shift(card, before.indexOf(card.id));
         keep();
       }
-      frame.announce(`${card.text} is back, ${place(card) + 1} of ${cards.length}.`);
+      frame.announce(t("{text} is back, {place} of {count}.", said(card, place(card))));
     } else return;
     event.preventDefault();
   }
@@ -158,7 +159,7 @@ function render({ model, el }) {
       card.item.classList.remove("ag-dragged");
       if (event.type === "pointercancel") shift(card, before.indexOf(card.id));
       if (before.join() === order().join()) return;
-      frame.announce(`${card.text}: now ${place(card) + 1} of ${cards.length}.`);
+      frame.announce(t("{text}: now {place} of {count}.", said(card, place(card))));
       keep();
     }
 
@@ -178,7 +179,7 @@ function render({ model, el }) {
     const parts = state.mark?.parts ?? [];
     // Only what is out of place: that a card need not move does not mean that its number is right.
     kept.forEach((id, at) => {
-      drawPart(byId.get(id).part, parts[at]?.right === false ? parts[at] : null, "out of place");
+      drawPart(byId.get(id).part, parts[at]?.right === false ? parts[at] : null, t("out of place"));
     });
     name();
     if (![...byId.values()].some(({ grip }) => grip.tabIndex === 0)) rove(byId.get(kept[0]));
@@ -189,11 +190,10 @@ function render({ model, el }) {
     make(
       "p",
       { class: "ag-help", id: help },
-      "Drag a card by its handle or use its arrows. By keyboard: arrow keys choose a card, " +
-        "Space picks it up and puts it down, arrow keys move it, Escape takes it back.",
+      t("Drag a card by its handle or use its arrows. By keyboard: arrow keys choose a card, Space picks it up and puts it down, arrow keys move it, Escape takes it back."),
     ),
     list,
   );
 }
 
-export default { render };
+export default { render: spoken(render) };

@@ -12,7 +12,7 @@ function render({ model, el }) {
     class: "ag-text",
     rows: "6",
     maxlength: String(longest),
-    "aria-label": `${label}: your answer, in Markdown`,
+    "aria-label": t("{label}: your answer, in Markdown", { label }),
     "data-lm-suppress-shortcuts": "true",
   });
 
@@ -47,4 +47,4 @@ function render({ model, el }) {
   frame.body.append(field, shown);
 }
 
-export default { render };
+export default { render: spoken(render) };

@@ -25,7 +25,7 @@ function render({ model, el }) {
       const said = state.response?.[at] ?? null;
       choices[0].checked = said === true;
       choices[1].checked = said === false;
-      drawPart(part, state.mark?.parts[at], "look again");
+      drawPart(part, state.mark?.parts[at], t("look again"));
     });
   }
 
@@ -40,9 +40,9 @@ function render({ model, el }) {
         make(
           "tr",
           {},
-          make("th", { scope: "col" }, "Statement"),
-          make("th", { scope: "col", id: `${group}-true` }, "True"),
-          make("th", { scope: "col", id: `${group}-false` }, "False"),
+          make("th", { scope: "col" }, t("Statement")),
+          make("th", { scope: "col", id: `${group}-true` }, t("True")),
+          make("th", { scope: "col", id: `${group}-false` }, t("False")),
         ),
       ),
       make("tbody", {}, ...rows.map(({ row }) => row)),
@@ -50,4 +50,4 @@ function render({ model, el }) {
   );
 }
 
-export default { render };
+export default { render: spoken(render) };

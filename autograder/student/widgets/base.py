@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -10,6 +11,7 @@ import anywidget
 import traitlets
 
 from autograder.errors import AutograderError
+from autograder.language import _
 from autograder.student.desk import Desk
 from autograder.student.receipts import RECEIPT, receipt
 
@@ -17,12 +19,19 @@ if TYPE_CHECKING:
     from IPython.display import DisplayHandle
 
 _HERE = Path(__file__).parent
+SENTENCE = re.compile(r'\bt\(\s*"((?:[^"\\]|\\.)*)"')  # in a widget's module: t("Kept.")
 
 
 @lru_cache(maxsize=32)
 def source(*names: str | Path) -> str:
     """Files, one after the other: a module and the helpers it uses, which are in this folder."""
     return "\n".join((_HERE / name).read_text(encoding="utf-8") for name in names)
+
+
+def sentences(module: str) -> dict[str, str]:
+    """The sentences of a widget's module that the spoken language has in other words."""
+    written = dict.fromkeys(SENTENCE.findall(module))
+    return {text: said for text in written if (said := _(text)) != text}
 
 
 def escaped(text: str) -> str:
@@ -53,13 +62,15 @@ class CourseWidget(anywidget.AnyWidget):
     _css = source("common.css")
     fixed = traitlets.Dict().tag(sync=True)  # what is asked
     state = traitlets.Dict().tag(sync=True)  # what is answered
+    words = traitlets.Dict().tag(sync=True)  # its sentences, in the language that is spoken
 
     topic = ""  # what it is about: a question's id, or nothing
 
     def __init__(self, desk: Desk) -> None:
         self.desk = desk
         self.receipt_display: DisplayHandle | None = None
-        super().__init__(fixed=self.what_is_fixed(), state=self.what_is_kept())
+        words = sentences(str(self._esm))
+        super().__init__(fixed=self.what_is_fixed(), state=self.what_is_kept(), words=words)
         self.on_msg(self._receive)
         desk.watch(self)
 

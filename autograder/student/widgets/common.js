@@ -18,6 +18,21 @@ function make(tag, attributes = {}, ...children) {
   return element;
 }
 
+// The sentences of a widget in the language that the course speaks: `t("{minutes} min left", { minutes: 2 })`.
+// Each has a translation in autograder/language, or stays English.
+let words = {};
+function t(text, fields = {}) {
+  return (words[text] ?? text).replace(/\{(\w+)\}/g, (all, name) => fields[name] ?? all);
+}
+
+// The `render` of a widget, which knows the words before it draws anything.
+function spoken(render) {
+  return (context) => {
+    words = context.model.get("words") ?? {};
+    return render(context);
+  };
+}
+
 let counter = 0;
 function uniqueId(name) {
   counter += 1;
@@ -121,8 +136,8 @@ function connect({ model, el, tell, live, draw, unkept = () => "" }) {
     draw(true);
     if (!first && !lost) return; // it has been said
     tell(
-      (lost ? `Your last answer was NOT kept${text ? `: ${text}` : ""}. ` : "") +
-        "This is what was kept last; it cannot be changed now. Run this cell again to go on.",
+      (lost ? (text ? t("Your last answer was NOT kept: {text}. ", { text }) : t("Your last answer was NOT kept. ")) : "") +
+        t("This is what was kept last; it cannot be changed now. Run this cell again to go on."),
       "lost",
     );
   }
@@ -146,8 +161,8 @@ function connect({ model, el, tell, live, draw, unkept = () => "" }) {
       clearTimeout(timer);
       timer = setTimeout(() => {
         const answers = [...waiting.values()].some((entry) => entry.matters);
-        if (answers) tell("The kernel is busy: your answer waits and is NOT kept yet.", "waiting");
-        else if (waiting.size) tell("The kernel is busy. This wakes up when it is done.", "waiting");
+        if (answers) tell(t("The kernel is busy: your answer waits and is NOT kept yet."), "waiting");
+        else if (waiting.size) tell(t("The kernel is busy. This wakes up when it is done."), "waiting");
       }, BUSY_AFTER);
     });
   }
@@ -168,7 +183,7 @@ function connect({ model, el, tell, live, draw, unkept = () => "" }) {
     live(true);
     if (!reply.ok) refusal = reply.said;
     if (refusal) tell(refusal, "lost");
-    else if (entry.matters) tell("Kept.", "kept");
+    else if (entry.matters) tell(t("Kept."), "kept");
     else if (waiting.size === 0) tell("", "");
     if (waiting.size === 0) draw();
     entry.resolve(reply);

@@ -13,10 +13,10 @@ function render({ model, el }) {
     spellcheck: "false",
     maxlength: "200",
   });
-  const keep = make("button", { type: "button", class: "ag-check" }, "This is me");
+  const keep = make("button", { type: "button", class: "ag-check" }, t("This is me"));
   const warning = make("p", { class: "ag-refusal", role: "alert", hidden: true });
-  const change = make("button", { type: "button" }, "Change it");
-  const leave = make("button", { type: "button" }, "Leave it");
+  const change = make("button", { type: "button" }, t("Change it"));
+  const leave = make("button", { type: "button" }, t("Leave it"));
   const sure = make("p", { class: "ag-actions", hidden: true }, change, leave);
   const status = make("p", { class: "ag-status", role: "status" });
   const tell = teller(status);
@@ -25,7 +25,7 @@ function render({ model, el }) {
     make(
       "p",
       { class: "ag-entry" },
-      make("label", { for: id }, "Your name or number, as the class list has it:"),
+      make("label", { for: id }, t("Your name or number, as the class list has it:")),
       field,
       keep,
     ),
@@ -72,4 +72,4 @@ function render({ model, el }) {
   });
 }
 
-export default { render };
+export default { render: spoken(render) };

@@ -4,15 +4,15 @@ function render({ model, el }) {
   const { label, boxes, known } = model.get("fixed");
   const root = openFrame(el, label);
   const controls = make("fieldset", { class: "ag-controls", "aria-label": label });
-  const start = make("button", { type: "button", class: "ag-check" }, "Start a round of ten minutes");
-  const next = make("button", { type: "button", class: "ag-check" }, "Next question");
-  const stop = make("button", { type: "button" }, "End the round");
+  const start = make("button", { type: "button", class: "ag-check" }, t("Start a round of ten minutes"));
+  const next = make("button", { type: "button", class: "ag-check" }, t("Next question"));
+  const stop = make("button", { type: "button" }, t("End the round"));
   const clock = make("span", { class: "ag-note" });
   const status = make("p", { class: "ag-status", role: "status" });
   const tell = teller(status);
   const place = make("div", { class: "ag-fresh" });
   const said = make("p", { class: "ag-summary", tabindex: "-1", "aria-live": "polite" });
-  const table = make("table", { class: "ag-boxes", "aria-label": "The boxes" });
+  const table = make("table", { class: "ag-boxes", "aria-label": t("The boxes") });
   keepKeys(start, next, stop, said);
   let ends = 0;
   let tick = null;
@@ -41,7 +41,7 @@ function render({ model, el }) {
     next.hidden = stop.hidden = !state.running;
     ends = Date.now() + 1000 * state.left;
     showClock(state.running);
-    const done = state.asked ? `This round: ${state.right} of ${state.asked} right. ` : "";
+    const done = state.asked ? t("This round: {right} of {asked} right. ", state) : "";
     said.textContent = done + state.summary;
     const numbers = Array.from({ length: boxes }, (_, at) => at + 1);
     const heads = numbers.map((n) => make("th", { scope: "col", class: "ag-box" }, `${n}`));
@@ -51,11 +51,11 @@ function render({ model, el }) {
         {},
         make("th", { scope: "row" }, `${row.id} `, make("span", { html: row.title })),
         ...numbers.map((n) => cell(row, n)),
-        make("td", {}, row.asked ? `${row.right} of ${row.asked} right` : "not practised yet"),
+        make("td", {}, row.asked ? t("{right} of {asked} right", row) : t("not practised yet")),
       ),
     );
     table.replaceChildren(
-      make("thead", {}, make("tr", {}, make("th", { scope: "col" }, "Box"), ...heads, make("td", {}))),
+      make("thead", {}, make("tr", {}, make("th", { scope: "col" }, t("Box")), ...heads, make("td", {}))),
       make("tbody", {}, ...rows),
     );
     table.hidden = !rows.length;
@@ -71,7 +71,7 @@ function render({ model, el }) {
     clearInterval(tick);
     const write = () => {
       const minutes = Math.ceil((ends - Date.now()) / 60000);
-      clock.textContent = !running ? "" : minutes > 0 ? `${minutes} min left` : "Time is over: this is the last one.";
+      clock.textContent = !running ? "" : minutes > 0 ? t("{minutes} min left", { minutes }) : t("Time is over: this is the last one.");
       if (!el.isConnected) clearInterval(tick);
     };
     write();
@@ -81,4 +81,4 @@ function render({ model, el }) {
   const send = connect({ model, el, tell, draw, live: (yes) => (controls.disabled = !yes) });
 }
 
-export default { render };
+export default { render: spoken(render) };

@@ -3,13 +3,13 @@
 function render({ model, el }) {
   const { label, prompt, choices, unit } = model.get("fixed");
   const root = openFrame(el, label);
-  const controls = make("fieldset", { class: "ag-controls", "aria-label": "Your prediction" });
+  const controls = make("fieldset", { class: "ag-controls", "aria-label": t("Your prediction") });
   const kept = make("p", { class: "ag-predicted", tabindex: "-1" });
   const status = make("p", { class: "ag-status", role: "status" });
   const tell = teller(status);
   keepKeys(kept);
   root.append(
-    make("p", { class: "ag-title" }, "Predict"),
+    make("p", { class: "ag-title" }, t("Predict")),
     make("div", { class: "ag-prompt", html: prompt }),
     controls,
     kept,
@@ -38,7 +38,7 @@ function render({ model, el }) {
       autocomplete: "off",
       spellcheck: "false",
     });
-    const button = make("button", { type: "button", class: "ag-check" }, "Predict");
+    const button = make("button", { type: "button", class: "ag-check" }, t("Predict"));
     const commit = () => {
       if (input.value.trim()) give({ do: "type", text: input.value });
       else input.focus();
@@ -50,7 +50,7 @@ function render({ model, el }) {
       make(
         "p",
         { class: "ag-entry" },
-        make("label", { for: id }, "Your prediction:"),
+        make("label", { for: id }, t("Your prediction:")),
         input,
         unit ? make("span", { class: "ag-unit" }, unit) : null,
         button,
@@ -70,7 +70,7 @@ function render({ model, el }) {
     const { said } = model.get("state");
     controls.hidden = Boolean(said);
     kept.hidden = !said;
-    const html = said ? `You predicted: <strong>${said}</strong>. The next cell shows what is true.` : "";
+    const html = said ? t("You predicted: {said}. The next cell shows what is true.", { said: `<strong>${said}</strong>` }) : "";
     if (kept.innerHTML !== html) kept.innerHTML = html;
   }
 
@@ -84,4 +84,4 @@ function render({ model, el }) {
   });
 }
 
-export default { render };
+export default { render: spoken(render) };

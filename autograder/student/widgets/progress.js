@@ -11,14 +11,14 @@ function render({ model, el }) {
     const { chapters } = model.get("state");
     list.replaceChildren(
       ...chapters.map(({ title, answered, questions, marks, points, most }) => {
-        const said = `${answered} of ${questions} answered`;
+        const said = t("{answered} of {questions} answered", { answered, questions });
         const bar = make("progress", {
           class: "ag-bar",
           max: questions,
           value: answered,
           "aria-label": `${title}: ${said}`,
         });
-        const earned = marks ? `${said} · ${points} of ${most} points` : said;
+        const earned = marks ? `${said} · ${t("{points} of {most} points", { points, most })}` : said;
         return make("li", {}, make("span", { class: "ag-title" }, title), bar, make("span", {}, earned));
       }),
     );
@@ -30,9 +30,9 @@ function render({ model, el }) {
     draw,
     live() {},
     tell(text, kind) {
-      status.textContent = kind === "lost" ? "As it was last. Run this cell again to go on." : "";
+      status.textContent = kind === "lost" ? t("As it was last. Run this cell again to go on.") : "";
     },
   });
 }
 
-export default { render };
+export default { render: spoken(render) };

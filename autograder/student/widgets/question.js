@@ -9,10 +9,10 @@ function openQuestion({ model, el, draw, unkept, checkable = true }) {
   const root = openFrame(el, fixed.label);
   const controls = make("fieldset", { class: "ag-controls" });
   const body = make("div", { class: "ag-body" });
-  const check = make("button", { type: "button", class: "ag-check" }, "Check");
+  const check = make("button", { type: "button", class: "ag-check" }, t("Check"));
   const hint = make("button", { type: "button", class: "ag-hint" });
   const attempts = make("span", { class: "ag-attempts" });
-  const hints = make("ol", { class: "ag-hints", "aria-live": "polite", "aria-label": "Hints" });
+  const hints = make("ol", { class: "ag-hints", "aria-live": "polite", "aria-label": t("Hints") });
   const mark = make("div", { class: "ag-mark", "aria-live": "polite" });
   const status = make("p", { class: "ag-status", role: "status" });
   const tell = teller(status);
@@ -44,9 +44,12 @@ function openQuestion({ model, el, draw, unkept, checkable = true }) {
     }
     hints.hidden = hints.children.length === 0;
     const left = fixed.hints.length - state.hints;
-    hint.textContent = `Hint ${Math.min(state.hints + 1, fixed.hints.length)} of ${fixed.hints.length}`;
+    hint.textContent = t("Hint {number} of {count}", {
+      number: Math.min(state.hints + 1, fixed.hints.length),
+      count: fixed.hints.length,
+    });
     if (left <= 0) {
-      hint.textContent = "No more hints";
+      hint.textContent = t("No more hints");
       hint.setAttribute("aria-disabled", "true");
     }
   }
@@ -66,7 +69,7 @@ function openQuestion({ model, el, draw, unkept, checkable = true }) {
   });
   if (!fixed.marks && checkable) {
     actions.prepend(
-      make("span", { class: "ag-note" }, "Answers are kept as you give them and marked later."),
+      make("span", { class: "ag-note" }, t("Answers are kept as you give them and marked later.")),
     );
   }
   return { root, body, actions, check, send, tell, announce: (text) => (announcer.textContent = text) };
@@ -75,8 +78,8 @@ function openQuestion({ model, el, draw, unkept, checkable = true }) {
 // Another one: a fresh variant below the question, in a widget of its own.
 function practiceOf({ model, send }) {
   const place = make("div", { class: "ag-fresh" });
-  const another = make("button", { type: "button" }, "Another one");
-  const note = make("span", { class: "ag-note" }, "With other numbers or statements, for practice: no points.");
+  const another = make("button", { type: "button" }, t("Another one"));
+  const note = make("span", { class: "ag-note" }, t("With other numbers or statements, for practice: no points."));
   keepKeys(another);
   another.addEventListener("click", async () => {
     const reply = await send({ do: "another" }); // a refusal is told beside the question's controls
@@ -102,7 +105,7 @@ function drawMark(place, mark) {
     ),
     make("p", { class: "ag-feedback", html: mark.feedback }),
   );
-  if (mark.explanation) place.append(explained(mark.explanation, "Explanation (it tells the answer)"));
+  if (mark.explanation) place.append(explained(mark.explanation, t("Explanation (it tells the answer)")));
 }
 
 // Folded away, because it may tell the answer.
@@ -120,8 +123,8 @@ function drawPart(place, part, wrong) {
   place.hidden = !part || (part.right === null && !part.feedback);
   place.className = `ag-part ${part?.right ? "ag-right" : part?.right === false ? "ag-wrong" : ""}`;
   if (place.hidden) return place.replaceChildren();
-  const verdict = part.right ? "✓ right" : part.right === false ? `✗ ${wrong}` : "○ open";
+  const verdict = part.right ? `✓ ${t("right")}` : part.right === false ? `✗ ${wrong}` : `○ ${t("open")}`;
   place.replaceChildren(make("strong", {}, verdict), " ", make("span", { html: part.feedback }));
-  const why = part.right ? "Why" : "Why (it tells the answer)";
+  const why = part.right ? t("Why") : t("Why (it tells the answer)");
   if (part.explanation) place.append(explained(part.explanation, why));
 }

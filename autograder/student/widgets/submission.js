@@ -4,7 +4,7 @@ function render({ model, el }) {
   const { label } = model.get("fixed");
   const root = openFrame(el, label);
   const place = make("div", {});
-  const again = make("button", { type: "button", class: "ag-check" }, "Pack again");
+  const again = make("button", { type: "button", class: "ag-check" }, t("Pack again"));
   const status = make("p", { class: "ag-status", role: "status" });
   const controls = make("fieldset", { class: "ag-controls" });
   keepKeys(again);
@@ -17,22 +17,22 @@ function render({ model, el }) {
     const open = questions.filter((question) => !question.answered).length;
     const warnings = [];
     if (state.warning) warnings.push(state.warning.replaceAll("`", ""));
-    if (state.stale) warnings.push("Something has changed since. Pack again to hand that in too.");
+    if (state.stale) warnings.push(t("Something has changed since. Pack again to hand that in too."));
     place.replaceChildren(
       make(
         "p",
         {},
-        state.warning ? "Not ready to hand in: " : state.taken ? "Handed in: " : "Hand in ",
+        state.warning ? t("Not ready to hand in: ") : state.taken ? t("Handed in: ") : t("Hand in "),
         make("strong", {}, state.file),
-        ` (packed at ${state.packed_at}): `,
+        t(" (packed at {packed_at}): ", state),
         make("code", { class: "ag-path" }, state.path),
       ),
       make(
         "p",
         {},
-        "It holds ",
+        t("It holds "),
         ...state.names.flatMap((name, at) => [at ? ", " : null, make("code", {}, name)]),
-        ". Each notebook is packed as it was last saved: save the others too.",
+        t(". Each notebook is packed as it was last saved: save the others too."),
       ),
       state.advice ? make("p", {}, state.advice) : "",
       ...warnings.map((text) => make("p", { class: "ag-refusal", role: "alert" }, text)),
@@ -40,9 +40,11 @@ function render({ model, el }) {
         "p",
         {},
         open
-          ? `${questions.length - open} of ${questions.length} questions are answered. ` +
-              "You may hand in unfinished work; what is open counts as not attempted."
-          : `All ${questions.length} questions are answered.`,
+          ? t("{done} of {all} questions are answered. You may hand in unfinished work; what is open counts as not attempted.", {
+              done: questions.length - open,
+              all: questions.length,
+            })
+          : t("All {all} questions are answered.", { all: questions.length }),
       ),
       ...state.chapters.map(({ title, questions }) =>
         make(
@@ -56,7 +58,7 @@ function render({ model, el }) {
               make(
                 "li",
                 { class: answered ? "ag-right" : "ag-open" },
-                make("strong", {}, answered ? "● answered" : "○ open"),
+                make("strong", {}, answered ? `● ${t("answered")}` : `○ ${t("open")}`),
                 ` ${label}`,
               ),
             ),
@@ -72,11 +74,11 @@ function render({ model, el }) {
     draw,
     live: (yes) => (controls.disabled = !yes),
     tell(text, kind) {
-      status.textContent = kind === "kept" ? "Packed." : text;
+      status.textContent = kind === "kept" ? t("Packed.") : text;
       status.className = `ag-status ag-${kind || "quiet"}`;
     },
   });
   again.addEventListener("click", () => send({ do: "pack" }));
 }
 
-export default { render };
+export default { render: spoken(render) };

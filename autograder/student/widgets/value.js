@@ -55,7 +55,7 @@ function render({ model, el }) {
     if (!text.trim()) {
       unread = false;
       if (model.get("state").response != null) {
-        frame.tell("An empty field changes nothing: your last answer is still kept.", "waiting");
+        frame.tell(t("An empty field changes nothing: your last answer is still kept."), "waiting");
       }
       return;
     }
@@ -83,7 +83,7 @@ function render({ model, el }) {
     make(
       "p",
       { class: "ag-entry" },
-      make("label", { for: id }, fixed.prompt ? "Your answer: " : "Or type it here: ", make("code", {}, `${fixed.name} =`)),
+      make("label", { for: id }, fixed.prompt ? t("Your answer: ") : t("Or type it here: "), make("code", {}, `${fixed.name} =`)),
       field,
       fixed.unit ? make("span", { class: "ag-unit" }, fixed.unit) : null,
     ),
@@ -91,4 +91,4 @@ function render({ model, el }) {
   );
 }
 
-export default { render };
+export default { render: spoken(render) };
