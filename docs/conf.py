@@ -41,9 +41,8 @@ def _formula(translator: HTML5Translator, node: Element) -> None:
     """Write a formula as MathML, in the spelling of TeX that docutils reads."""
     block = isinstance(node, math_block)
     tex = node.astext().strip().replace("\\dots", "\\ldots")
-    tex = re.sub(
-        r"(\\(?:tilde|bar|hat)\s*(?:\w|\{\w+\}))(?=[_^])", r"{\1}", tex
-    )  # x̃_i, not i below
+    # docutils would put the index of x̃_i below the x.
+    tex = re.sub(r"(\\(?:tilde|bar|hat)\s*(?:\w|\{\w+\}))(?=[_^])", r"{{\1}{}}", tex)
     if block and "\\\\" in tex and "\\begin" not in tex:
         tex = f"\\begin{{aligned}}{tex}\\end{{aligned}}"
     mathml = tex2mathml(tex, as_block=block)

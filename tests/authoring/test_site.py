@@ -14,6 +14,7 @@ import pytest
 
 from autograder.cli import parser
 from autograder.course import load_course
+from autograder.kinds.number.answer import NumberAnswer
 
 ROOT = Path(__file__).parents[2]
 DOCS = ROOT / "docs"
@@ -73,3 +74,28 @@ def test_no_answer_stands_in_a_chapter(pages: ModuleType):
                 answers += 1
                 assert not any(cell.source in shown for shown in page.values()), cell.id
     assert answers > 20
+
+
+def test_no_number_of_the_key_stands_on_a_page():
+    text = ""
+    for path in DOCS.rglob("*.md"):
+        page = path.read_text(encoding="utf-8")
+        for name, options in re.findall(r"(?ms)^```\{include\} (\S+)\n(.*?)^```", page):
+            included = (path.parent / name).read_text(encoding="utf-8")
+            begin = re.search(r':start-after: "(.*)"', options)
+            end = re.search(r':end-before: "(.*)"', options)
+            included = included.partition(begin[1])[2] if begin else included
+            text += included.partition(end[1])[0] if end else included
+        text += page
+    key = load_course(ROOT).key.values()
+    right = {
+        f"{alternative.value:.10g}"
+        for answer in key
+        if isinstance(answer, NumberAnswer)
+        for alternative in answer.alternatives
+        if alternative.credit == 1
+    }
+    assert len(right) > 3
+    assert {
+        number for number in right if re.search(rf"(?<![\d.]){re.escape(number)}(?!\d)", text)
+    } == set()
