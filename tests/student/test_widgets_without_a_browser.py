@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 import sympy as sp
 
-from autograder import check
+from autograder import check, language
 from autograder.course import load_course
 from autograder.kinds.registry import kind_of
 from autograder.student.desk import Desk
@@ -126,6 +126,18 @@ def test_the_card_to_move_is_named(desk: Desk, sent):
     say(widget, "order", cards=["water", "eat", "sow"])
     say(widget, "check")
     assert [part["right"] for part in widget.state["mark"]["parts"]] == [True, True, False]
+
+
+def test_the_browser_gets_the_sentences_of_the_language_that_is_spoken(desk: Desk):
+    assert show(desk, "Q1.2").get_state()["translated"] == {}
+    language.use("de")
+    try:
+        translated = show(desk, "Q1.2").get_state()["translated"]
+    finally:
+        language.use("")
+    assert translated["Check"] == "Prüfen"
+    assert translated["out of place"] == "am falschen Platz"
+    assert "Predict" not in translated  # it is no sentence of this widget
 
 
 def test_hints_are_opened_one_by_one_and_are_no_answer(desk: Desk, garden: Path, sent):

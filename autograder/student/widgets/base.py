@@ -62,15 +62,17 @@ class CourseWidget(anywidget.AnyWidget):
     _css = source("common.css")
     fixed = traitlets.Dict().tag(sync=True)  # what is asked
     state = traitlets.Dict().tag(sync=True)  # what is answered
-    words = traitlets.Dict().tag(sync=True)  # its sentences, in the language that is spoken
+    translated = traitlets.Dict().tag(sync=True)  # its sentences, in the language that is spoken
 
     topic = ""  # what it is about: a question's id, or nothing
 
     def __init__(self, desk: Desk) -> None:
         self.desk = desk
         self.receipt_display: DisplayHandle | None = None
-        words = sentences(str(self._esm))
-        super().__init__(fixed=self.what_is_fixed(), state=self.what_is_kept(), words=words)
+        translated = sentences(str(self._esm))
+        super().__init__(
+            fixed=self.what_is_fixed(), state=self.what_is_kept(), translated=translated
+        )
         self.on_msg(self._receive)
         desk.watch(self)
 

@@ -28,7 +28,7 @@ function t(text, fields = {}) {
 // The `render` of a widget, which knows the words before it draws anything.
 function spoken(render) {
   return (context) => {
-    words = context.model.get("words") ?? {};
+    words = context.model.get("translated") ?? {};
     return render(context);
   };
 }
