@@ -25,10 +25,14 @@ def hint(question: Function, case: Values, expected: Mapping[str, object], outco
     else:
         reason = str(outcome.get("unusable")) if isinstance(outcome, dict) else ""
         gave = f"cannot be used: {REASONS.get(reason, REASONS['not plain'])}"
-    right = _shown(expected["value"]) if "value" in expected else f"an {expected.get('raised')}"
+    right = _shown(expected["value"]) if "value" in expected else _an(f"{expected.get('raised')}")
     if len(call) > _SHORT:
         call = f"For {case['name']}, {question.name}"
     return f"{call} {gave}; expected is {right}."
+
+
+def _an(error: str) -> str:
+    return f"an {error}" if error[:1] in "AEIOU" else f"a {error}"
 
 
 def _shown(value: object) -> str:

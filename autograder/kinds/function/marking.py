@@ -261,11 +261,21 @@ def _drew_as_asked(case: dict[str, Value], outcome: dict[str, object]) -> bool:
 
 def close(case: dict[str, object], expected: object, actual: object) -> bool:
     """The default comparison: equal structure, numbers equal to six digits."""
+    return _same(expected, actual, 1e-6, 1e-9)
+
+
+def nearly(case: dict[str, object], expected: object, actual: object) -> bool:
+    """As `close`, for numbers that were computed with single precision on the way."""
+    return _same(expected, actual, 1e-5, 1e-6)
+
+
+def _same(expected: object, actual: object, relative: float, absolute: float) -> bool:
+    """Equal structure, and numbers that differ by no more; ``absolute`` is of the largest."""
     if isinstance(expected, dict):
         return (
             isinstance(actual, dict)
             and expected.keys() == actual.keys()
-            and all(close(case, expected[key], actual[key]) for key in expected)
+            and all(_same(expected[key], actual[key], relative, absolute) for key in expected)
         )
     if isinstance(expected, str | bool) or expected is None:
         return type(actual) is type(expected) and bool(actual == expected)
@@ -273,7 +283,7 @@ def close(case: dict[str, object], expected: object, actual: object) -> bool:
         return (
             isinstance(actual, list)
             and len(actual) == len(expected)
-            and all(close(case, e, a) for e, a in zip(expected, actual, strict=True))
+            and all(_same(e, a, relative, absolute) for e, a in zip(expected, actual, strict=True))
         )
     if isinstance(expected, int) and isinstance(actual, int):
         return expected == actual  # exact, and of any length
@@ -288,7 +298,8 @@ def close(case: dict[str, object], expected: object, actual: object) -> bool:
     if right.dtype.kind in "iu":  # one more is another number, however large it is
         return bool(np.allclose(given, right, rtol=0, atol=1e-6))
     size = float(np.max(np.abs(right), initial=0.0, where=np.isfinite(right)))
-    return bool(np.allclose(given, right, rtol=1e-6, atol=1e-9 * max(size, 1e-3), equal_nan=True))
+    least = absolute * max(size, 1e-3)
+    return bool(np.allclose(given, right, rtol=relative, atol=least, equal_nan=True))
 
 
 def _as_float(value: object) -> object:

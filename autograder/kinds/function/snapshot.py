@@ -9,7 +9,7 @@ import numpy as np
 from autograder.exchange.messages import Value
 from autograder.kinds.function.diagnosis import diagnose_function
 from autograder.kinds.function.hints import hint
-from autograder.kinds.function.marking import agrees, close
+from autograder.kinds.function.marking import agrees, close, nearly
 from autograder.kinds.function.question import Function
 from autograder.kinds.mark import Mark, Part, stopped
 from autograder.kinds.snapshot import LATER
@@ -21,6 +21,7 @@ def mark_snapshot(question: Function, snapshot: dict[str, Value], outcomes: list
     cases = snapshot["cases"]
     verdicts = [
         agrees(close, case, case["expected"], outcome)
+        or (snapshot.get("near", False) and _is_near(case, outcome))
         for case, outcome in zip(cases, outcomes, strict=True)
     ]
     kinds = list(dict.fromkeys(case["name"] for case in cases))
@@ -33,7 +34,8 @@ def mark_snapshot(question: Function, snapshot: dict[str, Value], outcomes: list
         for kind in kinds
     )
     if all(verdicts):
-        feedback = f"Right on the {len(cases)} examples of this check. {LATER}"
+        examples = f"the {len(cases)} examples" if len(cases) > 1 else "the example"
+        feedback = f"Right on {examples} of this check. {LATER}"
         return Mark(question.id, "right", 1.0, question.points, feedback, parts=parts)
     first = verdicts.index(False)
     failing = ", ".join(part.label for part in parts if not part.right)
@@ -65,6 +67,13 @@ def _diagnosis(
         return diagnose_function(cases, right, outcomes, verdicts, same)
     except Exception:  # what a student returned may be anything, and need not have a name
         return None
+
+
+def _is_near(case: dict[str, Value], outcome: Value) -> bool:
+    """Whether an outcome is the right one up to single precision, and no known mistake's."""
+    return agrees(nearly, case, case["expected"], outcome) and not any(
+        agrees(nearly, case, wrong, outcome) for wrong in case["wrong"]
+    )
 
 
 def _is_wrong(case: dict[str, Value], outcome: object) -> bool:
