@@ -61,6 +61,20 @@ def test_a_matrix_of_one_a_set_of_one_and_a_list_of_equal_roots_are_expressions(
         assert expression(tiny_course, response).status == "right", response
 
 
+def test_a_polynomial_and_a_tuple_of_sympy_are_expressions(tiny_course):
+    right = 2 * (A + B)
+    for response in (sp.Poly(right, A), sp.Poly(right, A, B), sp.Tuple(right)):
+        assert expression(tiny_course, response).status == "right", response
+    for response in (sp.Poly(A + B, A), sp.Tuple(right, A)):
+        assert expression(tiny_course, response).status != "right", response
+
+
+def test_a_lambda_of_sympy_is_called_a_function(tiny_course):
+    mark = expression(tiny_course, sp.Lambda((A, B), 2 * (A + B)))
+    assert mark.status == "wrong"
+    assert "it is a function" in mark.feedback
+
+
 def test_a_list_of_roots_is_right_only_if_each_is(tiny_course):
     assert expression(tiny_course, [2 * (A + B), A]).status != "right"
 

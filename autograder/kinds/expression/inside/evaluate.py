@@ -34,14 +34,19 @@ def evaluate(response: object, probe: Message) -> Message:
 
 
 def _entries(response: object) -> list[Value] | None:
-    """The entries of what sympy gives for one result or for several: a matrix, a set, a list."""
+    """The entries of what sympy gives for one result or for several: a matrix, a set, a list.
+
+    A polynomial (``sp.Poly``) is one result.
+    """
     if isinstance(response, list | tuple):
         return list(response)
     sp = sys.modules.get("sympy")
     if sp is None:
         return None
-    if isinstance(response, sp.FiniteSet):
+    if isinstance(response, sp.FiniteSet | sp.Tuple):
         return list(response.args)
+    if isinstance(response, sp.Poly):
+        return [response.as_expr()]
     if isinstance(response, sp.MatrixBase):
         if response.shape != (1, 1):
             raise Unusable("several")
@@ -64,6 +69,8 @@ def _values(response: Value, points: dict[str, np.ndarray]) -> np.ndarray:
 
     if isinstance(response, sp.Eq):
         raise Unusable("equation")
+    if isinstance(response, sp.Lambda):  # to sympy an expression, to its author a function
+        raise Unusable("callable")
     if not isinstance(response, sp.Expr):
         raise Unusable("not an expression")
     response = response.doit()
