@@ -156,7 +156,9 @@ def noisy_inliers(
     inliers = round(N * w)
     raw, refitted = [], []
     for clean in _clean(runs, min(int(draws), 10_000), N, inliers, 2, rng).sum(axis=1):
-        if clean == 0:
+        if clean == 0:  # an outlier model: it keeps none but by accident
+            raw.append(0.0)
+            refitted.append(0.0)
             continue
         x, y = rng.random(inliers), rng.normal(0, sigma, inliers)
         i, j = rng.integers(inliers, size=(2, int(clean)))
@@ -177,7 +179,7 @@ def noisy_inliers(
         (right, refitted, GREEN, "after refitting"),
     ):
         axes.hist(
-            100 * np.array(kept), bins=np.arange(30, 102, 2.5), color=color, edgecolor="white"
+            100 * np.array(kept), bins=np.arange(0, 102.5, 2.5), color=color, edgecolor="white"
         )
         axes.axvline(90, color="black", linestyle=":")
         share = np.count_nonzero(np.array(kept) >= 0.9) / runs

@@ -352,7 +352,7 @@ def views(one, other):
 figures.matches(photographs["0508"], walk["0510"], *views("0508", "0510")[:3], "0508, 0510")
 
 # %% [markdown]
-# And the palm trees with the place that won the votes:
+# And the palm trees, 0513, with 0506, which the plain votes liked best:
 
 # %% demo=true
 figures.matches(photographs["0513"], walk["0506"], *views("0513", "0506")[:3], "0513, 0506")
@@ -360,8 +360,8 @@ figures.matches(photographs["0513"], walk["0506"], *views("0513", "0506")[:3], "
 # %% [markdown]
 # Now follow one keypoint on its whole journey, by your own functions. Click on a spot of the photograph 0508, go down the tree with it, and watch whom
 # it votes for. Let the votes grow: who leads after 100 of them, who at the end, and who with the weights? Then move the pointer
-# over the photograph, and look for the same spot on the thick line in the candidate. (Then put `"0513"` in place of
-# `"0508"`, and see where the palm leaves lead.)
+# over the photograph, and look for the same spot on the thick line in the candidate. (Where the candidate is a wrong place, the line passes
+# through nothing that you know: that is how it is found out. Then put `"0513"` in place of `"0508"`, and see where the palm leaves lead.)
 
 # %% demo=true
 functions = [train_tree, descend_tree, build_inverted_file, idf_weights]
@@ -403,7 +403,7 @@ figures.precision_recall(scores, tuple(walk), tuple(queries), same, 20, predicte
 
 # %% [markdown]
 # For the bags alone the cheapest is to close no loop at all: no likeness is high enough to be believed. Change the 20 to 1, for a robot that can
-# afford mistakes. Which of the two thresholds moves?
+# afford mistakes. How far does each of the two thresholds fall, and how many loops are closed now?
 #
 # For the geometry, no wrong candidate of the walk reaches the threshold that you see on the left. The next building may have more windows that
 # look alike, so we leave a margin and ask for 20. Here are the queries again, one by one; the grey band is what chance has reached on the walk.
@@ -412,8 +412,8 @@ figures.precision_recall(scores, tuple(walk), tuple(queries), same, 20, predicte
 figures.agreement(agreeing_with, tuple(queries), tuple(walk), same, 20, unsure)
 
 # %% [markdown]
-# No wrong place reaches 20. And not all right places do: 0511 and 0513 have no place above the threshold at all, and by eye
-# you had difficulties, too. For them the honest answer of the robot is "I do not know this place". It
+# No wrong place reaches 20. And not all right places do: 0511 and 0513 have no place above the threshold at all. (The right places of
+# 0513 were not even among its five candidates, so there is no green dot.) For them the honest answer of the robot is "I do not know this place". It
 # closes one loop less, and keeps its map.
 #
 # Nister and Stewenius take one more thing from the tree: not only its words, the *inner nodes* count as well. Two descriptors that end

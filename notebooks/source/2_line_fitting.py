@@ -309,7 +309,8 @@ figures.laser_errors(wall, fit_line, line_covariance, 0.02, 0.05, rng, predicted
 # %% [markdown]
 # For this wall the direction hardly matters: most beams meet it nearly head-on. (At a slant, only a part of the error lies across the wall, and
 # the formula is too careful.) The steps do matter. They add an error of their own, $5\,\mathrm{cm} / \sqrt{12} = 1.4$ cm, the same for
-# neighbouring beams that are rounded the same way, and the line is off by a fifth more than the formula says.
+# neighbouring beams that are rounded the same way, and the distance of the line is off by about a quarter more than the
+# formula says, its angle by a little more.
 #
 # ## One bad point
 #

@@ -213,7 +213,7 @@ def test_the_count_without_replacement_is_74_for_lines_and_378_for_planes():
 
 
 def test_the_refit_repairs_about_four_of_five_runs():
-    says("3_ransac", "it repairs about four of five of the others")
+    says("3_ransac", "it repairs about four of five of the other runs that kept less than 90 %")
     assert 0.7 <= repaired() <= 0.9
 
 
