@@ -80,7 +80,7 @@ class Session:
         Raises:
             Stopped: if no run of the notebook came to its end.
         """
-        self._cells, self._stopped_cells = cells, {}
+        self._cells, self._stopped_cells, self._begun_anew = cells, {}, False
         self._check_deadline()
         return self._run(names)
 
@@ -96,21 +96,32 @@ class Session:
             self._restart()
             self._run([])
         try:
-            answer = self._ask_to_evaluate(name, probe)
-        except Stopped as stopped:
-            if stopped.status != "killed" or not self._stopped_cells or self._begun_anew:
+            reply = self._reply_to(name, probe)
+        except Stopped:
+            if not self._may_begin_anew(name):
                 raise
-            # What an interrupted cell left running, such as a fork bomb, may have taken what the
-            # evaluation needed: begin anew without that cell, once.
+            # What an interrupted cell left running, such as a fork bomb, may have taken the time or
+            # the memory of the cells after it and of the evaluation: begin anew without it, once.
             self._begun_anew = True
+            first = min(self._stopped_cells)
+            self._stopped_cells = {first: self._stopped_cells[first]}
             self._close()
             self._restart()
             self._run([])
-            answer = self._ask_to_evaluate(name, probe)
-        reply = clean_evaluation(answer["reply"])
+            reply = self._reply_to(name, probe)
+        return reply
+
+    def _may_begin_anew(self, name: str) -> bool:
+        """Whether another cell than the one that should define ``name`` may be to blame."""
+        if self._begun_anew or not self._stopped_cells or self._restarts_left == 0:
+            return False
+        return not _mentions(self._cells[min(self._stopped_cells)], name)
+
+    def _reply_to(self, name: str, probe: Message) -> Evaluation:
+        reply = clean_evaluation(self._ask_to_evaluate(name, probe)["reply"])
         if reply.get("reason") == "missing":
             for index, stop in self._stopped_cells.items():
-                if re.search(rf"\b{re.escape(name)}\b", self._cells[index]):
+                if _mentions(self._cells[index], name):
                     raise Stopped(stop.status, stop.why)
         return reply
 
@@ -353,6 +364,10 @@ class _Limit:
 
     def __post_init__(self) -> None:
         self.due = self.since + self.seconds
+
+
+def _mentions(cell: str, name: str) -> bool:
+    return re.search(rf"\b{re.escape(name)}\b", cell) is not None
 
 
 def _carries(answer: object, nonce: str) -> bool:

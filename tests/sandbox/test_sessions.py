@@ -211,6 +211,29 @@ def test_a_notebook_begun_anew_loses_only_the_time_that_it_had(sandbox, monkeypa
     assert report["understood"] == {"k": "1"}
 
 
+BOMB = """
+import os
+for _ in range(12):
+    if os.fork() == 0:
+        while True: pass
+while True: pass
+"""
+
+
+def test_what_an_interrupted_cell_left_running_costs_the_other_questions_nothing(sandbox):
+    """A dozen forks that spin use up the time that the notebook's processes have together."""
+    from msgspec.structs import replace
+
+    from autograder.sandbox.session import Session
+
+    limits = replace(sandbox._course.settings, cell_seconds=1, question_seconds=1)
+    work = "def double(x):\n    end = sum(range(8_000_000))\n    return 2 * x"
+    with Session(sandbox._take_host, limits, 0) as session:
+        session.run([BOMB, work, "k = 74"], ["k"])
+        assert session.evaluate("double", CASE)["state"] == "given"
+        assert session.evaluate("k", NUMBER) == {"state": "given", "value": 74}
+
+
 def test_processor_time_is_limited_by_a_setting_and_the_mark_says_so(sandbox):
     from msgspec.structs import replace
 
