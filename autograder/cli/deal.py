@@ -1,4 +1,4 @@
-"""``autograder deal``: neighbors in the class list get other numbers."""
+"""``autograder deal``: neighbours in the class list get other numbers."""
 
 from __future__ import annotations
 
@@ -15,7 +15,8 @@ from autograder.errors import UsageError
 def add(commands: Commands) -> None:
     """Describe the command."""
     deal = commands.add_parser(
-        "deal", help="give neighbors in the class list other numbers, before the course is released"
+        "deal",
+        help="give neighbours in the class list other numbers, before the course is released",
     )
     deal.add_argument(
         "class_list",
@@ -27,7 +28,7 @@ def add(commands: Commands) -> None:
     deal.add_argument(
         "--again",
         action="store_true",
-        help="deal anew, which changes the numbers of everybody",
+        help="deal anew, which may change the numbers of everybody",
     )
     deal.set_defaults(run=run)
 
@@ -49,7 +50,7 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
     if path.exists() and not parsed.again:
         raise UsageError(
             f"{path} is there. Whoever came later has numbers too, by chance; "
-            "--again deals anew, and then everybody has other numbers than before."
+            "--again deals anew, which may change the numbers of everybody."
         )
     people = read_class_lists(parsed.class_list, None).students
     wanted, shared = seats(people)
@@ -60,7 +61,7 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
             "chance; let these give their login or number"
         )
     console.print(
-        f"{len(people)} people have places, and neighbors other numbers; {path} is written and "
+        f"{len(people)} people have places, and neighbours other numbers; {path} is written and "
         "names nobody. Now: autograder build, then autograder release.",
         markup=False,
         soft_wrap=True,

@@ -1,4 +1,4 @@
-"""Places in the class list, so that neighbors there have other numbers, in a file without names.
+"""Places in the class list, so that neighbours there have other numbers, in a file without names.
 
 A bundle must not say who is in the class. So ``places.toml`` holds no name and no hash of one, but
 a table of slots: a name chooses three of them, and what these add up to, modulo how many people

@@ -73,7 +73,7 @@ class Variables:
     def variant_of(self, chapter: str, student: str, place: int | None = None) -> int:
         """The variant of a student: the same on every machine and after every reinstall.
 
-        Of two who have neighboring places in a class list both have another one. Without a place
+        Of two who have neighbouring places in a class list both have another one. Without a place
         the name alone decides.
         """
         if place is None:
