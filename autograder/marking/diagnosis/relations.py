@@ -46,7 +46,11 @@ class Diagnosis:
 RELATIONS = tuple(
     Relation(name, f"It looks as if {sentence}.", change)
     for name, sentence, change in (
-        ("sign turned", "the sign is turned round; check it on the smallest example", lambda x: -x),
+        (
+            "sign turned",
+            "the sign is turned round; try it on an example that is small enough to do by hand",
+            lambda x: -x,
+        ),
         ("without its sign", "the sign was dropped; a value may be negative here", np.abs),
         ("twice", "a factor 2 is counted twice or not divided out", lambda x: 2 * x),
         ("half", "a factor 2 was lost", lambda x: x / 2),
