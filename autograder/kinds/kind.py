@@ -43,6 +43,9 @@ class Kind(ABC, Generic[Q, A]):
     inside: ClassVar[str] = ""
     # The fields of its key that are formulas of a question's variables, where it has any.
     formulas: ClassVar[tuple[str, ...]] = ()
+    # Whether variables change nothing in its key, but its words, as those of an example worked by
+    # hand, and with which set of hidden inputs it is marked.
+    varies_in_words: ClassVar[bool] = False
     # The list in its question of which ``draws`` may choose, and the list in its key beside it.
     drawn_fields: ClassVar[tuple[str, str]] = ("", "")
     # Whether each part of a response is a small question of its own, with its own feedback, so that

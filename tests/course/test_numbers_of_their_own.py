@@ -58,6 +58,32 @@ def test_a_student_is_marked_by_their_own_numbers(market):
     assert own.drawn("Q1.3") is marker.drawn("Q1.3")
 
 
+def test_a_function_has_its_own_example_and_one_of_few_sets_of_hidden_inputs(market):
+    market.replace(
+        "notebooks/questions/kitchen.toml",
+        'prompt = "Write a function for the mean of some weights."',
+        'prompt = "By hand: the mean of {a} and {a + 2} is {a + 1}."\n'
+        "variables = {a = [1, 2, 3, 4]}",
+    )
+    marker = Marker(market.load(), 3)
+    id = next(id for id, q in marker.course.questions.items() if q.kind == "function")
+    assert marker.course.question(id).prompt == "By hand: the mean of 1 and 3 is 2."
+    drawn = {}
+    for name in ("ada", "boole", "curie", "dijkstra", "euler", "fourier", "gauss", "hopper"):
+        own = marker.for_student(name)
+        a = own.course.numbers(id)["a"]
+        assert own.course.question(id).prompt == f"By hand: the mean of {a} and {a + 2} is {a + 1}."
+        drawn.setdefault(own.course.variants[id], own.drawn(id))
+    assert len(drawn) > 2
+    # Two sets for all: to draw one takes long.
+    for one in drawn:
+        for other in drawn:
+            same = one % 2 == other % 2
+            assert (drawn[one] is drawn[other]) == same
+    assert marker.drawn(id) is drawn.get(0, drawn.get(2))
+    assert not list(prove_variants(market.load()))
+
+
 def test_without_the_setting_everybody_has_the_sheets(market):
     market.replace("pyproject.toml", '"student"', '"sheet"')
     course = market.load()

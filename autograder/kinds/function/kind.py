@@ -39,6 +39,7 @@ class FunctionKind(CodeKind[Function, FunctionAnswer]):
     parts_heading = "Kinds of input"
     fewest_variants = 4
     can_be_read = True
+    varies_in_words = True
     question_type = Function
     answer_type = FunctionAnswer
 
