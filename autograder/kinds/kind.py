@@ -215,6 +215,10 @@ class Kind(ABC, Generic[Q, A]):
         """Why what was drawn for a variant is a poor choice, if it is."""
         yield from ()
 
+    def poor_value(self, question: Q, value: float, sheets: float) -> Iterator[str]:
+        """Why a variant's right value is a poor one beside the sheet's, if it is."""
+        yield from ()
+
     # -- kept back, and handed out ---------------------------------------------------------------
 
     def secrets(self, question: Q, answer: A) -> Iterator[str]:

@@ -144,3 +144,25 @@ def test_a_variant_that_breaks_the_question_is_named_with_its_numbers(market):
     said = "\n".join(prove_variants(market.load()))
     assert "Q7 with boxes = 8" in said
     assert "'added' is taken for 'right'" in said
+
+
+@pytest.mark.parametrize(
+    ("values", "problem"),
+    [
+        (
+            "[3, -5]",
+            "Q7.2 with m = -5: the right answer -2.5 has another sign than the sheet's, 1.5",
+        ),
+        ("[3, 30000]", "Q7.2 with m = 30000: the right answer 15000 is of another size than"),
+        ("[1, 3]", "Q7.2 with m = 3: the right answer is 1.5, and the sheet's is a share of one"),
+        ("[3, 2.02]", "Q7.2 with m = 2.02: the right answer 1.01 is 1 to 1 decimals"),
+    ],
+)
+def test_a_variant_of_another_kind_or_size_than_the_sheets_is_named(market, values, problem):
+    market.replace("notebooks/questions/kitchen.toml", "{m = [3, 4, 5]}", f"{{m = {values}}}")
+    assert problem in "\n".join(prove_variants(market.load()))
+
+
+def test_a_variant_with_half_an_egg_is_named(market):
+    market.replace("notebooks/questions/kitchen.toml", "[3, 5, 7, 11]", "[3, 3.3]")
+    assert "the right answer 13.2 is not whole" in "\n".join(prove_variants(market.load()))
