@@ -2,7 +2,8 @@
 
 For all variants, or for 500 drawn where there are more: the solved cell's value earns everything,
 each mistake is told apart from what is right and from the other mistakes, no value lies so near a
-rounding that an honest float loses, and none is trivial. What fails is named with its numbers.
+rounding that an honest float loses, none is trivial, and each is of the kind and size of the
+sheet's. What fails is named with its numbers.
 """
 
 from __future__ import annotations
@@ -61,6 +62,8 @@ def _problems(course: Course, id: str, variant: int, numbers: Numbers) -> Iterat
         yield str(error)
         return
     kind = kind_of(question)
+    if kind.varies_in_words:
+        return  # what its key is worth is proven with many seeds anyway
     drawn = draw(question, answer, _SEED, course.root)
     for alternative in answer.alternatives:
         response = kind.response_like(question, alternative, drawn)
@@ -75,11 +78,13 @@ def _problems(course: Course, id: str, variant: int, numbers: Numbers) -> Iterat
     if variant:  # the sheet's own is what it is
         yield from kind.poor_draw(question, answer)
     if kind.formulas:
-        yield from _weak_numbers(course, question, answer, numbers)
+        written = course.varied[id].variables
+        assert written is not None
+        yield from _weak_numbers(course, question, answer, numbers, written.numbers(0))
 
 
 def _weak_numbers(
-    course: Course, question: Question, answer: Answer, numbers: Numbers
+    course: Course, question: Question, answer: Answer, numbers: Numbers, sheets: Numbers
 ) -> Iterator[str]:
     """What is wrong with the right values, as numbers."""
     _, tables = course.answer_tables[question.chapter]
@@ -92,6 +97,9 @@ def _weak_numbers(
             value = value_of(formula, numbers)
             if value in _TRIVIAL:
                 yield f"the right answer is {value}, which is guessed; leave these numbers out."
+            if numbers != sheets:
+                theirs = value_of(formula, sheets)
+                yield from kind_of(question).poor_value(question, value, theirs)
             if _jumps(formula, numbers, value):
                 yield (
                     f"the right answer {value:g} lies so near a rounding that an honest "

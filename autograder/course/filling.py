@@ -71,7 +71,15 @@ def _value(found: re.Match[str], numbers: Mapping[str, int | float], *, in_math:
         shown = format(value, form or ("d" if isinstance(value, int) else ".10g"))
     except ValueError:
         raise CourseError(f"{found[0]} has a format that a number cannot have.") from None
-    grouped = in_math and found.string[: found.start()][-1:] not in ("", " ", "$", "(", "=", "+")
+    grouped = in_math and found.string[: found.start()][-1:] not in (
+        "",
+        " ",
+        "$",
+        "(",
+        ",",
+        "=",
+        "+",
+    )
     return f"{{{shown}}}" if grouped else shown
 
 

@@ -43,6 +43,9 @@ class Kind(ABC, Generic[Q, A]):
     inside: ClassVar[str] = ""
     # The fields of its key that are formulas of a question's variables, where it has any.
     formulas: ClassVar[tuple[str, ...]] = ()
+    # Whether variables change nothing in its key, but its words, as those of an example worked by
+    # hand, and with which set of hidden inputs it is marked.
+    varies_in_words: ClassVar[bool] = False
     # The list in its question of which ``draws`` may choose, and the list in its key beside it.
     drawn_fields: ClassVar[tuple[str, str]] = ("", "")
     # Whether each part of a response is a small question of its own, with its own feedback, so that
@@ -223,6 +226,10 @@ class Kind(ABC, Generic[Q, A]):
 
     def poor_draw(self, question: Q, answer: A) -> Iterator[str]:
         """Why what was drawn for a variant is a poor choice, if it is."""
+        yield from ()
+
+    def poor_value(self, question: Q, value: float, sheets: float) -> Iterator[str]:
+        """Why a variant's right value is a poor one beside the sheet's, if it is."""
         yield from ()
 
     # -- kept back, and handed out ---------------------------------------------------------------

@@ -48,6 +48,14 @@ def set_number(student: str, fingerprint: str, works: Sequence[str]) -> int:
     return 1 + (position - 1) * SETS + chance % SETS
 
 
+def set_of_variant(variant: int) -> int:
+    """The number of the set for a variant of a question whose key is the same in all of them.
+
+    It counts down from 0, since `set_number` counts up, and in a set of that for other work too.
+    """
+    return -(variant % SETS)
+
+
 def seed_of_set(seed: int, number: int) -> int:
     """The seed of a set of hidden inputs in a run with some seed."""
     return seed if number == 0 else zlib.crc32(f"{seed}:{number}".encode())

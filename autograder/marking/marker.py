@@ -21,7 +21,7 @@ from autograder.kinds.reading import Reading
 from autograder.kinds.registry import kind_of
 from autograder.marking import Mark
 from autograder.marking.around import around
-from autograder.marking.draw import draw, seed_of_set
+from autograder.marking.draw import draw, seed_of_set, set_of_variant
 
 OTHER_NUMBERS = "right for other numbers"  # the name of the mistake
 MOST_TRIED = 500  # variants that a wrong response is compared with
@@ -62,8 +62,12 @@ class Marker:
             UsageError: if there is no such question.
             CourseError: if its key is broken.
         """
-        if self._of_all is not None and id not in self.course.variants:
-            return self._of_all.drawn(id)
+        if self._of_all is not None:
+            if id not in self.course.variants:
+                return self._of_all.drawn(id)
+            if kind_of(self.course.question(id)).varies_in_words:
+                number = set_of_variant(self.course.variants[id])
+                return self._of_all.with_set(number).drawn(id)
         if id not in self._drawn:
             with self._drawing:  # once, whichever of several threads asks first
                 if id not in self._drawn:

@@ -157,7 +157,8 @@ def _question(shared: Feedback, record: Record, question: Question) -> str:
         lines += _parts(question, mark)
         if mark.code:
             lines.append(_code(mark.code))
-        lines.append(shared.pictures.html(question.id, mark, record.inputs_seed))
+        whose = record.graded.numbers_of
+        lines.append(shared.pictures.html(question.id, mark, record.inputs_seed, whose))
         if shared.explanations and mark.full_explanation:
             why = markdown(mark.full_explanation)
             lines.append(f'<div class="explained"><h4>{_("Why")}</h4>{why}</div>')

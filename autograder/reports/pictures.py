@@ -40,13 +40,17 @@ class Pictures:
         }
         self._markers: dict[int, Marker] = {}
 
-    def html(self, question: str, mark: Mark, seed: int) -> str:
-        """The picture of a marked response, or nothing where there is none to show."""
+    def html(self, question: str, mark: Mark, seed: int, whose: str = "") -> str:
+        """The picture of a marked response, or nothing where there is none to show.
+
+        ``whose`` is who the work says it is from, where each student has their own inputs.
+        """
         describe = self._describe.get(question)
         if describe is None or mark.shown is None:
             return ""
         marker = self._markers.setdefault(seed, Marker(self._course, seed))
-        example = kind_of(self._course.question(question)).example(marker.drawn(question))
+        drawn = marker.for_student(whose).drawn(question)
+        example = kind_of(self._course.question(question)).example(drawn)
         if example is None:
             return ""
         try:

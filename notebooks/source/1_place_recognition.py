@@ -191,7 +191,8 @@ print(f"{len(walk)} photographs of the walk have about {len(collection) // 1000}
 # The example that was worked by hand, with your function:
 
 # %% demo=true
-three, two = np.array([[1.0, 0], [3, 1], [5, 5]]), np.array([[0.0, 0], [4, 0]])
+d = numbers("words").d
+three, two = np.array([[1.0, 0], [d - 1, 1], [d + 1, d + 1]]), np.array([[0.0, 0], [d, 0]])
 figures.nearest_words(three, two, assign_words)
 
 # %% [markdown]
@@ -240,8 +241,10 @@ figures.word_patches(
 # %% exercise="Q1.4"
 
 # %% demo=true
-small_tree = [np.array([[0.0, 0], [10, 0]]), np.array([[-1.0, 0], [1, 0], [8, 0], [12, 0]])]
-figures.way_down(np.array([9.0, 1.0]), small_tree, descend_tree)
+far, high = numbers("tree")
+children = [[-1.0, 0], [1, 0], [far - 2, 0], [far + 2, 0]]
+small_tree = [np.array([[0.0, 0], [far, 0]]), np.array(children)]
+figures.way_down(np.array([far - 1.0, high]), small_tree, descend_tree)
 
 # %% [markdown]
 # With your function every photograph becomes a list of words. (`@cache` keeps the result, so that each photograph is

@@ -58,6 +58,32 @@ def test_a_student_is_marked_by_their_own_numbers(market):
     assert own.drawn("Q1.3") is marker.drawn("Q1.3")
 
 
+def test_a_function_has_its_own_example_and_one_of_few_sets_of_hidden_inputs(market):
+    market.replace(
+        "notebooks/questions/kitchen.toml",
+        'prompt = "Write a function for the mean of some weights."',
+        'prompt = "By hand: the mean of {a} and {a + 2} is {a + 1}."\n'
+        "variables = {a = [1, 2, 3, 4]}",
+    )
+    marker = Marker(market.load(), 3)
+    id = next(id for id, q in marker.course.questions.items() if q.kind == "function")
+    assert marker.course.question(id).prompt == "By hand: the mean of 1 and 3 is 2."
+    drawn = {}
+    for name in ("ada", "boole", "curie", "dijkstra", "euler", "fourier", "gauss", "hopper"):
+        own = marker.for_student(name)
+        a = own.course.numbers(id)["a"]
+        assert own.course.question(id).prompt == f"By hand: the mean of {a} and {a + 2} is {a + 1}."
+        drawn.setdefault(own.course.variants[id], own.drawn(id))
+    assert len(drawn) > 2
+    # Two sets for all: to draw one takes long.
+    for one in drawn:
+        for other in drawn:
+            same = one % 2 == other % 2
+            assert (drawn[one] is drawn[other]) == same
+    assert marker.drawn(id) is drawn.get(0, drawn.get(2))
+    assert not list(prove_variants(market.load()))
+
+
 def test_without_the_setting_everybody_has_the_sheets(market):
     market.replace("pyproject.toml", '"student"', '"sheet"')
     course = market.load()
@@ -118,3 +144,25 @@ def test_a_variant_that_breaks_the_question_is_named_with_its_numbers(market):
     said = "\n".join(prove_variants(market.load()))
     assert "Q7 with boxes = 8" in said
     assert "'added' is taken for 'right'" in said
+
+
+@pytest.mark.parametrize(
+    ("values", "problem"),
+    [
+        (
+            "[3, -5]",
+            "Q7.2 with m = -5: the right answer -2.5 has another sign than the sheet's, 1.5",
+        ),
+        ("[3, 30000]", "Q7.2 with m = 30000: the right answer 15000 is of another size than"),
+        ("[1, 3]", "Q7.2 with m = 3: the right answer is 1.5, and the sheet's is a share of one"),
+        ("[3, 2.02]", "Q7.2 with m = 2.02: the right answer 1.01 is 1 to 1 decimals"),
+    ],
+)
+def test_a_variant_of_another_kind_or_size_than_the_sheets_is_named(market, values, problem):
+    market.replace("notebooks/questions/kitchen.toml", "{m = [3, 4, 5]}", f"{{m = {values}}}")
+    assert problem in "\n".join(prove_variants(market.load()))
+
+
+def test_a_variant_with_half_an_egg_is_named(market):
+    market.replace("notebooks/questions/kitchen.toml", "[3, 5, 7, 11]", "[3, 3.3]")
+    assert "the right answer 13.2 is not whole" in "\n".join(prove_variants(market.load()))

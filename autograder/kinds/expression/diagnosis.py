@@ -18,7 +18,13 @@ from autograder.kinds.expression.question import Expression
 from autograder.kinds.expression.slopes import slopes
 from autograder.kinds.expression.wholes import terms, wholes
 from autograder.kinds.formula import evaluate_formula
-from autograder.marking.diagnosis.relations import RELATIONS, Diagnosis
+from autograder.language import N_, _, chosen
+from autograder.marking.diagnosis.relations import (
+    RELATIONS,
+    Diagnosis,
+    another_answer,
+    looks_as_if,
+)
 from autograder.marking.mutants.formula_edits import edited_formulas
 from autograder.marking.mutants.mutant import Mutant
 
@@ -29,16 +35,32 @@ _FACTORS = {2.0: "doubled", 0.5: "halved", -1.0: "turned", 0.0: "missing", -2.0:
 Values = NDArray[np.complex128]
 
 _WORDS = {
-    "sign turned": "the sign of one term is turned round",
-    "sign left out": "a minus sign was lost",
-    "term left out": "a term is missing",
-    "factor left out": "a factor is missing",
-    "power left out": "a power is missing",
-    "another function": "a function stands in the place of its relative, such as sine for cosine",
-    "arguments exchanged": "two arguments have changed places",
-    "function left out": "a function was left out",
-    "constant one more": "a constant is off by one",
-    "constant one less": "a constant is off by one",
+    "sign turned": N_("the sign of one term is turned round"),
+    "sign left out": N_("a minus sign was lost"),
+    "term left out": N_("a term is missing"),
+    "factor left out": N_("a factor is missing"),
+    "power left out": N_("a power is missing"),
+    "another function": N_(
+        "a function stands in the place of its relative, such as sine for cosine"
+    ),
+    "arguments exchanged": N_("two arguments have changed places"),
+    "function left out": N_("a function was left out"),
+    "constant one more": N_("a constant is off by one"),
+    "constant one less": N_("a constant is off by one"),
+}
+# What a symbol may have become in one place, by the end of the mutant's operator.
+_OF_A_SYMBOL = {
+    "doubled": N_("{symbol} is doubled somewhere in it"),
+    "halved": N_("{symbol} is halved somewhere in it"),
+    "squared": N_("{symbol} is squared somewhere in it"),
+    "its root": N_("the root of {symbol} stands somewhere in it for {symbol}"),
+    "sign turned": N_("the sign of {symbol} is turned round somewhere in it"),
+    "left out": N_("{symbol} is left out somewhere in it"),
+}
+
+_ONCE_MORE = {
+    "multiplied": N_("it was multiplied by {symbol} once more than asked for"),
+    "divided": N_("it was divided by {symbol} once more than asked for"),
 }
 
 Formula = Callable[[str], np.ndarray | None]  # its values, if it has any
@@ -88,12 +110,12 @@ def _diagnoses(
             return None
 
     def told(found: bool, name: str, words: str, evidence: str = "") -> Diagnosis | None:
-        return Diagnosis(name, f"It looks as if {words}.", evidence) if found else None
+        return Diagnosis(name, looks_as_if(words), evidence) if found else None
 
     for relation in RELATIONS:
         with np.errstate(all="ignore"):
             found = fits(relation.change(expected))
-        yield Diagnosis(relation.name, relation.sentence) if found else None
+        yield relation.diagnosis if found else None
     for symbol in question.symbols:
         with np.errstate(all="ignore"):
             changed = {
@@ -101,22 +123,22 @@ def _diagnoses(
                 "divided": expected / points[symbol],
             }
             for how, wrong in changed.items():
-                words = f"it was {how} by {symbol} once more than asked for"
+                words = _(_ONCE_MORE[how]).format(symbol=symbol)
                 yield told(period is None and fits(wrong), f"{how} by {symbol}", words)
     for other, key in around.neighbors:
         for theirs in key.alternatives:
             text = getattr(theirs, "expression", None)
-            if text is not None and not theirs.is_mistake:
-                words = f"this is the answer to {other.id}, {other.title!r}; what is different here"
-                yield told(fits(of(text)), "another question's answer", words)
+            if text is not None and not theirs.is_mistake and fits(of(text)):
+                said = another_answer(other.id, other.title)
+                yield Diagnosis("another question's answer", said)
     if period is None and (factor := _constant(values, expected)) is not None:
-        words = "only a constant factor is wrong: the form is right"
+        words = _("only a constant factor is wrong: the form is right")
         yield told(True, "a constant factor", words, f"factor {factor:.6g}")
     elif period is not None:
         for factor in (3.0, 4.0, 0.25):
-            words = "a constant factor is wrong: look at where you double or halve"
+            words = _("a constant factor is wrong: look at where you double or halve")
             yield told(fits(expected * factor), "a constant factor", words, f"factor {factor:g}")
-    whole, edited = _changed(entry.expression, tuple(question.symbols))
+    whole, edited = _changed(entry.expression, tuple(question.symbols), chosen())
     for name, words, text in whole:
         yield told(fits(of(text)), name, words, text)
     if period is None:
@@ -124,23 +146,41 @@ def _diagnoses(
         for name, words, wrong in slopes(of, entry.expression, list(question.symbols), points):
             yield told(fits(wrong) or _nearly(wrong, values), name, words)
     for mutant, text in edited:
-        words = _WORDS.get(mutant.operator, f"{mutant.operator} somewhere in it")
+        words = _of_one_place(mutant.operator)
         yield told(fits(of(text)), mutant.operator, words, mutant.name)
     for name, words, text in whole:
         off = of(text)
         if off is None or period is not None:
             continue
         if _constant(values, off) is not None:
-            words = f"there are two things: {words}; and a constant factor or the sign is wrong"
-            yield told(True, f"{name}, and a constant factor", words, text)
+            said = _(
+                "It looks as if there are two things: {first}; and a constant factor or the sign "
+                "is wrong."
+            ).format(first=words)
+            yield Diagnosis(f"{name}, and a constant factor", said, text)
 
 
 @cache
 def _changed(
-    formula: str, symbols: tuple[str, ...]
+    formula: str, symbols: tuple[str, ...], language: str
 ) -> tuple[tuple[tuple[str, str, str], ...], tuple[tuple[Mutant, str], ...]]:
-    """The right formula with one thing wrong throughout, and in one place."""
+    """The right formula with one thing wrong throughout, and in one place.
+
+    The words are in the language that is spoken.
+    """
     return tuple(wholes(formula, symbols)), tuple(edited_formulas(formula, symbols))
+
+
+def _of_one_place(operator: str) -> str:
+    """A change in one place of the formula, in words."""
+    if operator in _WORDS:
+        return _(_WORDS[operator])
+    other, stands, name = operator.partition(" for ")
+    if stands:
+        said = _("{other} stands somewhere in it for {symbol}")
+        return said.format(other=other, symbol=name)
+    name, _blank, what = operator.partition(" ")
+    return _(_OF_A_SYMBOL[what]).format(symbol=name)
 
 
 def _by_terms(
@@ -171,20 +211,25 @@ def _by_terms(
     if len(wrong) > 1:
         return Diagnosis(
             "several terms",
-            f"It looks as if {len(wrong)} of the {len(parts)} terms have a wrong factor or sign, "
-            "and the others are right.",
+            _(
+                "It looks as if {wrong} of the {count} terms have a wrong factor or sign, and the "
+                "others are right."
+            ).format(wrong=len(wrong), count=len(parts)),
             evidence,
         )
     (place,) = wrong
     how = _FACTORS.get(float(factors[place]), "")
     which = _which(question, parts, place)
     name, words = {
-        "missing": ("a term missing", f"{which} is missing"),
-        "doubled": ("a term doubled", f"{which} is counted twice"),
-        "halved": ("a term halved", f"{which} is there with half its factor only"),
-        "turned": ("the sign of a term", f"{which} has the wrong sign"),
-    }.get(how, ("the factor of a term", f"{which} has a wrong factor"))
-    return Diagnosis(name, f"It looks as if {words}; the others are right.", evidence)
+        "missing": ("a term missing", _("{term} is missing; the others are right")),
+        "doubled": ("a term doubled", _("{term} is counted twice; the others are right")),
+        "halved": (
+            "a term halved",
+            _("{term} is there with half its factor only; the others are right"),
+        ),
+        "turned": ("the sign of a term", _("{term} has the wrong sign; the others are right")),
+    }.get(how, ("the factor of a term", _("{term} has a wrong factor; the others are right")))
+    return Diagnosis(name, looks_as_if(words.format(term=which)), evidence)
 
 
 def _which(question: Expression, parts: Sequence[str], place: int) -> str:
@@ -192,7 +237,9 @@ def _which(question: Expression, parts: Sequence[str], place: int) -> str:
     own = [s for s in question.symbols if s in _names(parts[place])]
     others = [_names(part) for i, part in enumerate(parts) if i != place]
     telling = [s for s in own if not any(s in names for names in others)]
-    return f"the term with {' and '.join(telling)}" if telling else "one term"
+    if not telling:
+        return _("one term")
+    return _("the term with {symbols}").format(symbols=f" {_('and')} ".join(telling))
 
 
 def _names(text: str) -> set[str]:

@@ -7,6 +7,8 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from autograder.language import _
+
 _STEP = 1e-3
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(20)
 Points = Mapping[str, NDArray[np.float64]]
@@ -36,10 +38,10 @@ def slopes(
             return
         with np.errstate(all="ignore"):
             slope = (around[0] - 8 * around[1] + 8 * around[2] - around[3]) / (12 * _STEP)
-        words = f"this is the derivative in {symbol} of what is asked for: one time too many"
-        yield f"differentiated once more in {symbol}", words, slope
+        words = _("this is the derivative in {symbol} of what is asked for: one time too many")
+        yield f"differentiated once more in {symbol}", words.format(symbol=symbol), slope
         between = beside(at * (_NODES[:, np.newaxis] + 1) / 2)
         if between is not None:
             area = np.asarray(_WEIGHTS / 2 @ between) * at
-            words = f"it was not differentiated in {symbol}, or integrated instead"
-            yield f"not differentiated in {symbol}", words, area
+            words = _("it was not differentiated in {symbol}, or integrated instead")
+            yield f"not differentiated in {symbol}", words.format(symbol=symbol), area

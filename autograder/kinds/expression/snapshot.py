@@ -103,7 +103,7 @@ def _related(accepted: list[Message], values: np.ndarray) -> Diagnosis | None:
                 continue
             with np.errstate(all="ignore"), suppress(TypeError):  # not for complex numbers
                 if same_values(relation.change(_real(expected)), values, entry["modulo"]):
-                    return Diagnosis(relation.name, relation.sentence)
+                    return relation.diagnosis
     return None
 
 

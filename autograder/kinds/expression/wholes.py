@@ -11,6 +11,8 @@ import copy
 import itertools
 from collections.abc import Callable, Iterator, Sequence
 
+from autograder.language import N_, _
+
 _ANGLES = ("sin", "cos", "tan")
 _TURNED = {"sin": "cos", "cos": "sin"}
 Change = Callable[[ast.AST], ast.expr | None]
@@ -24,10 +26,11 @@ def wholes(formula: str, symbols: Sequence[str]) -> Iterator[tuple[str, str, str
     used = [
         s for s in symbols if any(isinstance(n, ast.Name) and n.id == s for n in ast.walk(tree))
     ]
-    changes = [*_CHANGES]
+    changes = [(name, _(words), change) for name, words, change in _CHANGES]
     for one, other in itertools.combinations(used, 2):
         name = f"{one} and {other} exchanged"
-        changes.append((name, f"{one} and {other} have changed places", _exchanged(one, other)))
+        words = _("{one} and {other} have changed places").format(one=one, other=other)
+        changes.append((name, words, _exchanged(one, other)))
     for name, words, change in changes:
         text = ast.unparse(_throughout(tree, change))
         if text not in seen:
@@ -136,40 +139,44 @@ def _of_inner(function: str) -> Change:
 _CHANGES: tuple[tuple[str, str, Change], ...] = (
     (
         "sine and cosine exchanged",
-        "sine and cosine have changed places",
+        N_("sine and cosine have changed places"),
         _of_angle(lambda name, x: _call(_TURNED[name], x) if name in _TURNED else None),
     ),
     (
         "the single angle",
-        "a function of the single angle stands for that of the double",
+        N_("a function of the single angle stands for that of the double"),
         _of_angle(_single),
     ),
     (
         "the double angle",
-        "a function of the double angle stands for that of the single",
+        N_("a function of the double angle stands for that of the single"),
         _scaled("2"),
     ),
     (
         "an angle in degrees",
-        "an angle was converted to degrees; radians are asked for",
+        N_("an angle was converted to degrees; radians are asked for"),
         _scaled("180/pi"),
     ),
     (
         "an angle taken for degrees",
-        "an angle in radians was taken for one in degrees",
+        N_("an angle in radians was taken for one in degrees"),
         _scaled("pi/180"),
     ),
     (
         "sine and cosine left out",
-        "the sines and cosines were left out",
+        N_("the sines and cosines were left out"),
         _of_angle(lambda name, x: ast.Constant(1)),
     ),
-    ("powers left out", "the squares were left out", _without_power),
-    ("not solved for the angle", "this is the tangent; one step more leads to the angle", _inner),
+    ("powers left out", N_("the squares were left out"), _without_power),
     (
         "not solved for the angle",
-        "this is the tangent; one step more leads to the angle",
+        N_("this is the tangent; one step more leads to the angle"),
+        _inner,
+    ),
+    (
+        "not solved for the angle",
+        N_("this is the tangent; one step more leads to the angle"),
         _fraction,
     ),
-    ("the tangent for its inverse", "the tangent stands for its inverse", _of_inner("tan")),
+    ("the tangent for its inverse", N_("the tangent stands for its inverse"), _of_inner("tan")),
 )

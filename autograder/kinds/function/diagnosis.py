@@ -12,13 +12,13 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 import numpy as np
 
 from autograder.exchange.messages import Value, Values
-from autograder.kinds.function.repairs import Repair, repairs
-from autograder.marking.diagnosis.relations import RELATIONS, Diagnosis
+from autograder.kinds.function.repairs import PLACES, Repair, repairs
+from autograder.language import N_, _, n_
+from autograder.marking.diagnosis.relations import RELATIONS, Diagnosis, looks_as_if
 
 MOST_SECONDS = 0.1  # of a processor, for one response
 _FEWEST = 2  # wrong cases that a relation has to explain
 _TELLING_NUMBERS = 6  # different ones, for a line through them to say anything
-_PLACES = ("first", "second", "third", "fourth")
 Same = Callable[[Mapping[str, object], object, object], bool]
 Change = Callable[[Values, Value], Value]
 
@@ -50,7 +50,7 @@ def diagnose_function(
     if _nothing_for_an_empty_case(right, outcomes, verdicts, wrong):
         return Diagnosis(
             "an empty case",
-            "It looks as if only the empty case is wrong: it asks for an empty result, too.",
+            looks_as_if(_("only the empty case is wrong: it asks for an empty result, too")),
         )
     if len(wrong) < _FEWEST:
         return None
@@ -74,7 +74,7 @@ def diagnose_function(
             _is_mended(repair, cases[i], right[i], outcomes[i], counts_as_right or same)
             for i in wrong
         ):
-            return Diagnosis(name, f"It looks as if {words}.")
+            return Diagnosis(name, looks_as_if(words))
     return _linear(right, outcomes, order)
 
 
@@ -85,8 +85,12 @@ def _never_a_value(outcomes: Sequence[Value], wrong: Sequence[int]) -> Diagnosis
     if len(wrong) >= _FEWEST and len(lazy) == len(wrong):
         return Diagnosis(
             "a generator",
-            "It looks as if a generator is returned and nothing was computed yet: "
-            "make a list or an array of it.",
+            looks_as_if(
+                _(
+                    "a generator is returned and nothing was computed yet: make a list or an "
+                    "array of it"
+                )
+            ),
         )
     return None
 
@@ -157,20 +161,24 @@ def _linear(
     if abs(offset) < 1e-9 * np.abs(y).max():
         return Diagnosis(
             "a constant factor",
-            "It looks as if only a constant factor is wrong: the form is right.",
+            looks_as_if(_("only a constant factor is wrong: the form is right")),
             evidence,
         )
     if abs(factor + 1) < 1e-6:
         return Diagnosis(
             "counted from the other end",
-            "It looks as if the result is counted from the other end: what should be large is "
-            "small, and the other way round.",
+            looks_as_if(
+                _(
+                    "the result is counted from the other end: what should be large is small, and "
+                    "the other way round"
+                )
+            ),
             evidence,
         )
     if abs(factor - 1) < 1e-6:
         return Diagnosis(
             "a constant more",
-            "It looks as if a constant was added that is not asked for, or left out.",
+            looks_as_if(_("a constant was added that is not asked for, or left out")),
             evidence,
         )
     return None
@@ -191,13 +199,17 @@ def _right_but(
     if all("changed" in outcomes[i] for i in wrong):
         return Diagnosis(
             "changes its input",
-            "It looks as if the values are right, but the input is changed in place: use a copy.",
+            looks_as_if(_("the values are right, but the input is changed in place: use a copy")),
         )
     if all("draws" in cases[i] and "changed" not in outcomes[i] for i in wrong):
         return Diagnosis(
             "other number of draws",
-            "It looks as if the number of random draws is not the one asked for, or comes from "
-            "another generator than the argument.",
+            looks_as_if(
+                _(
+                    "the number of random draws is not the one asked for, or comes from another "
+                    "generator than the argument"
+                )
+            ),
         )
     return None
 
@@ -222,131 +234,148 @@ def _changes(
 ) -> Iterator[tuple[Diagnosis, Change]]:
     """Every relation, the simpler ones first."""
 
-    def told(name: str, sentence: str) -> Diagnosis:
-        return Diagnosis(name, f"It looks as if {sentence}.")
+    def told(name: str, said: str, **fields: object) -> Diagnosis:
+        return Diagnosis(name, looks_as_if(_(said).format(**fields)))
 
     yield (
-        told("returns nothing", "the result is printed or kept, but never returned: add a return"),
+        told(
+            "returns nothing",
+            N_("the result is printed or kept, but never returned: add a return"),
+        ),
         lambda _, value: None,
     )
     first = right[asked[0]]["value"]
     yield (
-        told("always the same", "the first example's result is written in, whatever the input"),
+        told("always the same", N_("the first example's result is written in, whatever the input")),
         lambda _, value: first,
     )
     for place in range(max((len(cases[i]["args"]) for i in asked), default=0)):
-        yield told("returns its input", "an input is returned as it came"), _argument(place)
+        yield told("returns its input", N_("an input is returned as it came")), _argument(place)
     for name, sentence, change in (
-        ("other order", "two results are returned in the other order", _exchanged),
-        ("reversed", "the results stand in reverse order", _on_array(lambda x: x[::-1])),
-        ("sorted", "the results were sorted", _on_array(lambda x: np.sort(x, axis=0))),
-        ("transposed", "rows and columns have changed places", _on_array(_transposed)),
-        ("only the first", "only the first of the results is returned", _first),
-        ("only the first", "only the first of the results is returned", lambda _, v: v[:1]),
-        ("only the last", "only the last of the results is returned", lambda _, v: v[-1]),
-        ("one too few", "the last of the results is missing", lambda _, v: v[:-1]),
-        ("first left out", "the first of the results is missing", lambda _, v: v[1:]),
-        ("one too many", "there is one entry too many at the end", _on_array(_one_more_entry)),
-        ("sorted downwards", "the results were sorted", _on_array(_sorted_down)),
-        ("both axes reversed", "both axes are in the other order", _on_array(_turned)),
-        ("only the diagonal", "only the diagonal is returned", _on_array(_diagonal)),
-        ("off the diagonal", "everything off the diagonal is zero", _on_array(_only_diagonal)),
-        ("the largest", "only the largest of the results is returned", _on_array(np.max)),
-        ("the smallest", "only the smallest of the results is returned", _on_array(np.min)),
+        ("other order", N_("two results are returned in the other order"), _exchanged),
+        ("reversed", N_("the results stand in reverse order"), _on_array(lambda x: x[::-1])),
+        ("sorted", N_("the results were sorted"), _on_array(lambda x: np.sort(x, axis=0))),
+        ("transposed", N_("rows and columns have changed places"), _on_array(_transposed)),
+        ("only the first", N_("only the first of the results is returned"), _first),
+        ("only the first", N_("only the first of the results is returned"), lambda _, v: v[:1]),
+        ("only the last", N_("only the last of the results is returned"), lambda _, v: v[-1]),
+        ("one too few", N_("the last of the results is missing"), lambda _, v: v[:-1]),
+        ("first left out", N_("the first of the results is missing"), lambda _, v: v[1:]),
+        ("one too many", N_("there is one entry too many at the end"), _on_array(_one_more_entry)),
+        ("sorted downwards", N_("the results were sorted"), _on_array(_sorted_down)),
+        ("both axes reversed", N_("both axes are in the other order"), _on_array(_turned)),
+        ("only the diagonal", N_("only the diagonal is returned"), _on_array(_diagonal)),
+        ("off the diagonal", N_("everything off the diagonal is zero"), _on_array(_only_diagonal)),
+        ("the largest", N_("only the largest of the results is returned"), _on_array(np.max)),
+        ("the smallest", N_("only the smallest of the results is returned"), _on_array(np.min)),
         (
             "where the largest is",
-            "it is returned where the largest result is, and not the results",
+            N_("it is returned where the largest result is, and not the results"),
             _on_array(np.argmax),
         ),
         (
             "where the smallest is",
-            "it is returned where the smallest result is, and not the results",
+            N_("it is returned where the smallest result is, and not the results"),
             _on_array(np.argmin),
         ),
         (
             "the order of the results",
-            "it is returned in which order the results stand, and not the results",
+            N_("it is returned in which order the results stand, and not the results"),
             _on_array(lambda x: np.argsort(-x, kind="stable")),
         ),
         (
             "the order of the results",
-            "it is returned in which order the results stand, and not the results",
+            N_("it is returned in which order the results stand, and not the results"),
             _on_array(lambda x: np.argsort(x, kind="stable")),
         ),
-        ("whether, not how much", "it is returned whether there is something, not how much",
+        ("whether, not how much", N_("it is returned whether there is something, not how much"),
          _on_array(lambda x: x > 0)),
-        ("sorted, without repetitions", "each result stands only once, and they were sorted",
+        ("sorted, without repetitions", N_("each result stands only once, and they were sorted"),
          _on_array(_without_repetitions)),
-        ("only the first of each", "of each result only the first entry is returned",
+        ("only the first of each", N_("of each result only the first entry is returned"),
          lambda _, v: [entry[:1] for entry in v]),
-        ("only the last of each", "of each result only the last entry is returned",
+        ("only the last of each", N_("of each result only the last entry is returned"),
          lambda _, v: [entry[-1:] for entry in v]),
-        ("shares of the whole", "the results were divided by their sum", _on_array(_shares)),
-        ("shares of the whole, in percent", "the results were divided by their sum, in percent",
+        ("shares of the whole", N_("the results were divided by their sum"), _on_array(_shares)),
+        ("shares of the whole, in percent", N_("the results were divided by their sum, in percent"),
          _on_array(lambda x: 100 * _shares(x))),
-        ("divided by the number", "the results were divided by their number",
+        ("divided by the number", N_("the results were divided by their number"),
          _on_array(lambda x: x / len(x))),
-        ("inverse", "the inverse matrix is returned", _on_array(_inverse)),
-        ("the sum", "the results were added up", _on_array(np.sum)),
-        ("the mean", "the mean of the results is returned", _on_array(np.mean)),
-        ("counts for entries", "it is returned how many there are, and not which", _counts),
-        ("empty ones left out", "those without any entry were left out", _without_empty),
-        ("a row of ones and zeros for an index", "a row of ones and zeros stands for an index",
+        ("inverse", N_("the inverse matrix is returned"), _on_array(_inverse)),
+        ("the sum", N_("the results were added up"), _on_array(np.sum)),
+        ("the mean", N_("the mean of the results is returned"), _on_array(np.mean)),
+        ("counts for entries", N_("it is returned how many there are, and not which"), _counts),
+        ("empty ones left out", N_("those without any entry were left out"), _without_empty),
+        ("a row of ones and zeros for an index", N_("a row of ones and zeros stands for an index"),
          _one_hot),
     ):  # fmt: skip
         yield told(name, sentence), change
     for relation in RELATIONS:
-        diagnosis = Diagnosis(relation.name, relation.sentence)
-        yield diagnosis, _deep(relation.change)
+        yield relation.diagnosis, _deep(relation.change)
     for digits in (1, 2, 3, 4):
-        words = f"the results were rounded to {digits} decimals; round only what you print"
-        yield told(f"rounded to {digits} decimals", words), _deep(_rounded_to(digits))
-    for place, word in enumerate(_PLACES[:2]):
-        words = f"the {word} quantity is in degrees, and its rows and columns with it"
-        yield told(f"matrix in degrees ({word})", words), _on_array(_matrix_in_degrees(place))
+        words = n_(
+            "the results were rounded to {digits} decimal; round only what you print",
+            "the results were rounded to {digits} decimals; round only what you print",
+            digits,
+        ).format(digits=digits)
+        rounded = Diagnosis(f"rounded to {digits} decimals", looks_as_if(words))
+        yield rounded, _deep(_rounded_to(digits))
+    for place, word in enumerate(PLACES[:2]):
+        words = N_("the {nth} quantity is in degrees, and its rows and columns with it")
+        yield (
+            told(f"matrix in degrees ({word})", words, nth=_(word)),
+            _on_array(_matrix_in_degrees(place)),
+        )
         for quarter in (1, -1):
-            words = f"an angle is a quarter turn off (in the {word} result)"
+            words = N_("an angle is a quarter turn off (in the {nth} result)")
             yield (
-                told(f"a quarter turn off ({word} result)", words),
+                told(f"a quarter turn off ({word} result)", words, nth=_(word)),
                 _at(place, _on_array(_turned_by(quarter * np.pi / 2))),
             )
     for place in range(max((len(cases[i]["args"]) for i in asked), default=0)):
-        words = "the entries themselves are returned, not where they stand"
+        words = N_("the entries themselves are returned, not where they stand")
         yield told("entries for indices", words), _entries(place, None)
         yield told("entries for indices", words), _entries(place, -1)
     yield (
-        told("a sum for a mean", "a sum stands for a mean: divide by the number"),
+        told("a sum for a mean", N_("a sum stands for a mean: divide by the number")),
         lambda case, value: _on_array(lambda x: x * _size(case))(case, value),
     )
     yield (
-        told("a mean for a sum", "a mean stands for a sum: do not divide by the number"),
+        told("a mean for a sum", N_("a mean stands for a sum: do not divide by the number")),
         lambda case, value: _on_array(lambda x: x / _size(case))(case, value),
     )
     yield (
-        told("N - 1 for N", "it was divided by N - 1 and not by N"),
+        told("N - 1 for N", N_("it was divided by N - 1 and not by N")),
         lambda case, value: _on_array(lambda x: x * _size(case) / (_size(case) - 1))(case, value),
     )
-    for place, word in enumerate(_PLACES):
+    for place, word in enumerate(PLACES):
         for relation in RELATIONS:
             yield (
-                Diagnosis(
+                told(
                     f"{relation.name} ({word} result)",
-                    f"{relation.sentence[:-1]} (in the {word} result).",
+                    N_("{words} (in the {nth} result)"),
+                    words=_(relation.words),
+                    nth=_(word),
                 ),
                 _at(place, _on_array(relation.change)),
             )
         yield (
-            told(f"mask for indices ({word} result)", f"the {word} result is a mask, not indices"),
+            told(
+                f"mask for indices ({word} result)",
+                N_("the {nth} result is a mask, not indices"),
+                nth=_(word),
+            ),
             _at(place, _mask),
         )
         yield (
             told(
                 f"points for indices ({word} result)",
-                f"the {word} result holds the entries themselves, not their indices",
+                N_("the {nth} result holds the entries themselves, not their indices"),
+                nth=_(word),
             ),
             _at(place, lambda case, value: case["args"][0][np.asarray(value, dtype=int)]),
         )
-    yield told("mask for indices", "the result is a mask, not indices"), _mask
+    yield told("mask for indices", N_("the result is a mask, not indices")), _mask
 
 
 def _itself(_: Values, value: Value) -> object:
@@ -372,7 +401,7 @@ def _at(place: int, change: Change) -> Change:
     """A change of one of several results."""
 
     def changed(case: Values, value: Value) -> Value:
-        if not (isinstance(value, list) and place < len(value) <= len(_PLACES)):
+        if not (isinstance(value, list) and place < len(value) <= len(PLACES)):
             raise _NotForThis
         return [*value[:place], change(case, value[place]), *value[place + 1 :]]
 

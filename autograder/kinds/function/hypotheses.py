@@ -29,7 +29,8 @@ from autograder.exchange.messages import Value
 from autograder.kinds.function.marking import Compare, Outcome, agrees
 from autograder.kinds.function.slips import VAGUE, in_words, slips
 from autograder.kinds.function.trial import mutants_of, outcome_of
-from autograder.marking.diagnosis.relations import Diagnosis
+from autograder.language import _
+from autograder.marking.diagnosis.relations import Diagnosis, looks_as_if
 from autograder.marking.mutants.clones import reachable
 from autograder.marking.mutants.mutant import Mutant, OutOfTime
 
@@ -96,13 +97,12 @@ class Hypotheses:
         chosen, remark = next(((m, r) for m, r in remarked if r), (remarked[0][0], ""))
         evidence = "; or ".join(self._evidence(index) for index in fitting[:3])
         if remark:
-            return Diagnosis(
-                remark, f"It looks as if yours is the right function {remark}.", evidence
-            )
+            said = _("It looks as if yours is the right function {remark}.")
+            return Diagnosis(remark, said.format(remark=remark), evidence)
         argument = re.match(r"begin with (\w+) = ", chosen.name)
         words = in_words(chosen.operator, argument[1] if argument else "")
         name = chosen.operator + (f" ({argument[1]})" if argument else "")
-        return Diagnosis(name, f"It looks as if {words}.", evidence)
+        return Diagnosis(name, looks_as_if(words), evidence)
 
     def _fits(
         self,

@@ -40,6 +40,7 @@ class FunctionKind(CodeKind[Function, FunctionAnswer]):
     fewest_variants = 4
     can_be_read = True
     hints_in_heading = True
+    varies_in_words = True
     question_type = Function
     answer_type = FunctionAnswer
 

@@ -12,10 +12,11 @@ from collections.abc import Callable, Iterator
 import numpy as np
 
 from autograder.exchange.messages import Value, Values
+from autograder.language import N_, _
 
 Case = Values
 Repair = Callable[[Case, object, object], object]  # of a case, what is right, and what was given
-_PLACES = ("first", "second", "third", "fourth")
+PLACES = (N_("first"), N_("second"), N_("third"), N_("fourth"))
 _MOST_NUMBERS = 20_000
 
 
@@ -24,41 +25,54 @@ class NotForThis(Exception):
 
 
 def repairs() -> Iterator[tuple[str, str, Repair]]:
-    """Every repair: the name of what is wrong, what it looks like, and how it is put right."""
+    """Every repair: the name of what is wrong, what it looks like, and how it is put right.
+
+    What it looks like is said in the language that is spoken.
+    """
+    in_one, in_each = _("{words}, in the {nth} result"), _("{words}, in each of the results")
+    in_part = _("{words}, in the {nth} part of each of the results")
     for name, words, repair in _OF_WHOLES:
-        yield name, words, repair
+        yield name, _(words), repair
     for name, words, repair in _OF_RESULTS:
-        for place, word in enumerate(_PLACES):
-            yield f"{name} ({word} result)", f"{words}, in the {word} result", _at(place, repair)
-    for name, words, repair in (*_OF_WHOLES[:2], *_OF_RESULTS):
-        yield f"{name}, in each", f"{words}, in each of the results", _in_each(repair)
-        for place, word in enumerate(_PLACES[:2]):
+        for place, nth in enumerate(PLACES):
             yield (
-                f"{name} ({word} of each)",
-                f"{words}, in the {word} part of each of the results",
+                f"{name} ({nth} result)",
+                in_one.format(words=_(words), nth=_(nth)),
+                _at(place, repair),
+            )
+    for name, words, repair in (*_OF_WHOLES[:2], *_OF_RESULTS):
+        yield f"{name}, in each", in_each.format(words=_(words)), _in_each(repair)
+        for place, nth in enumerate(PLACES[:2]):
+            yield (
+                f"{name} ({nth} of each)",
+                in_part.format(words=_(words), nth=_(nth)),
                 _in_each(_at(place, repair)),
             )
-    yield from _UNUSUAL
+    for name, words, repair in _UNUSUAL:
+        yield name, _(words), repair
     yield from _pairs()
 
 
 def _pairs() -> Iterator[tuple[str, str, Repair]]:
     """Two of them together: a form that is wrong for the whole, and something in the results."""
+    both, in_one = _("{one}, and {other}"), _("{words}, in the {nth} result")
     for outer, said, first in _OF_WHOLES[:4]:
         for inner, words, then in _OF_RESULTS:
-            name, words = f"{outer}, and {inner}", f"{said}, and {words}"
-            yield name, words, _one_after_the_other(first, then)
-            for place, word in enumerate(_PLACES[:2]):
+            name = f"{outer}, and {inner}"
+            together = both.format(one=_(said), other=_(words))
+            yield name, together, _one_after_the_other(first, then)
+            for place, nth in enumerate(PLACES[:2]):
                 yield (
-                    f"{name} ({word} result)",
-                    f"{words}, in the {word} result",
+                    f"{name} ({nth} result)",
+                    in_one.format(words=together, nth=_(nth)),
                     _one_after_the_other(first, _at(place, then)),
                 )
+    in_two = _("{one}, in the first result, and {other}, in the second")
     for one, said, first in _OF_RESULTS:
         for two, words, then in _OF_RESULTS:
             yield (
                 f"{one} (first result), and {two} (second result)",
-                f"{said}, in the first result, and {words}, in the second",
+                in_two.format(one=_(said), other=_(words)),
                 _one_after_the_other(_at(0, first), _at(1, then)),
             )
 
@@ -174,7 +188,7 @@ def _of_pairs(_: Case, right: Value, given: Value) -> Value:
 
 def _at(place: int, repair: Repair) -> Repair:
     def repaired(case: Case, right: Value, given: object) -> object:
-        if not (isinstance(given, list) and place < len(given) == len(right) <= len(_PLACES)):
+        if not (isinstance(given, list) and place < len(given) == len(right) <= len(PLACES)):
             raise NotForThis
         mended = repair(case, right[place], given[place])
         return [*given[:place], mended, *given[place + 1 :]]
@@ -193,22 +207,34 @@ def _in_each(repair: Repair) -> Repair:
 
 
 _OF_WHOLES: tuple[tuple[str, str, Repair], ...] = (
-    ("other order", "two results are returned in the other order", _other_order),
-    ("only the first", "only the first of the results is returned", _only_the_first),
-    ("reversed", "the results stand in reverse order", _reversed),
-    ("wrong shape", "the numbers are right and their shape is not the one asked for", _in_shape),
-    ("a dictionary for a list", "a dictionary is returned in place of a list", _list_of_dict),
-    ("a text for a number", "a text is returned in place of a number", _of_text),
+    ("other order", N_("two results are returned in the other order"), _other_order),
+    ("only the first", N_("only the first of the results is returned"), _only_the_first),
+    ("reversed", N_("the results stand in reverse order"), _reversed),
+    (
+        "wrong shape",
+        N_("the numbers are right and their shape is not the one asked for"),
+        _in_shape,
+    ),
+    ("a dictionary for a list", N_("a dictionary is returned in place of a list"), _list_of_dict),
+    ("a text for a number", N_("a text is returned in place of a number"), _of_text),
 )
 _OF_RESULTS: tuple[tuple[str, str, Repair], ...] = (
-    ("mask for indices", "a mask is returned and not indices", _of_mask),
-    ("points for indices", "the entries themselves are returned, not their indices", _of_entries),
-    ("a count for indices", "it is returned how many there are, and not which", _of_count),
-    ("the others", "exactly those are returned that are not asked for", _of_others),
-    ("one more", "the count begins or ends one too late", _less_one),
-    ("degrees", "an angle is in degrees; radians are asked for", _radians),
-    ("sign turned", "the sign is turned round", _negative),
-    ("more than asked for", "something stands beside each entry that is not asked for", _of_pairs),
+    ("mask for indices", N_("a mask is returned and not indices"), _of_mask),
+    (
+        "points for indices",
+        N_("the entries themselves are returned, not their indices"),
+        _of_entries,
+    ),
+    ("a count for indices", N_("it is returned how many there are, and not which"), _of_count),
+    ("the others", N_("exactly those are returned that are not asked for"), _of_others),
+    ("one more", N_("the count begins or ends one too late"), _less_one),
+    ("degrees", N_("an angle is in degrees; radians are asked for"), _radians),
+    ("sign turned", N_("the sign is turned round"), _negative),
+    (
+        "more than asked for",
+        N_("something stands beside each entry that is not asked for"),
+        _of_pairs,
+    ),
 )
 _UNUSUAL: tuple[tuple[str, str, Repair], ...] = (
     *_OF_RESULTS[:2],

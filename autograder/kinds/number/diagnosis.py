@@ -14,7 +14,8 @@ from autograder.kinds.drawn import NOTHING_AROUND, Around
 from autograder.kinds.number.answer import NumberAnswer
 from autograder.kinds.number.question import Number
 from autograder.kinds.number.variations import variations
-from autograder.marking.diagnosis.relations import RELATIONS, Diagnosis
+from autograder.language import N_, _, chosen
+from autograder.marking.diagnosis.relations import RELATIONS, Diagnosis, another_answer, looks_as_if
 
 _ENOUGH = 1e-4  # of the size of a number: closer than chance brings one to another
 _FEW = 2e-3  # a value of so few digits is near many things, and only the plainest are tried
@@ -36,7 +37,7 @@ def diagnose_number(
             return diagnosis
     for wrong, words in _roundings(question, right):
         if math.isclose(value, wrong, rel_tol=1e-12) and not _is_right(question, right, wrong):
-            return Diagnosis("rounded too coarsely", f"It looks as if it was {words}.")
+            return Diagnosis("rounded too coarsely", looks_as_if(_(words)))
     for other, key in around.neighbors:
         for entry in key.alternatives:
             theirs = getattr(entry, "value", None)
@@ -45,15 +46,15 @@ def diagnose_number(
             if _is_near(question, theirs, value):
                 return Diagnosis(
                     "another question's answer",
-                    f"It looks as if this is the answer to {other.id}, {other.title!r}; what is "
-                    "different here?",
+                    another_answer(other.id, other.title),
                 )
     found: dict[str, Diagnosis] = {}
-    for name, sentence, wrong in _known_variations(answer.code, tuple(around.numbers.items())):
+    known = _known_variations(answer.code, tuple(around.numbers.items()), chosen())
+    for name, words, wrong in known:
         exactly = math.isclose(value, wrong, rel_tol=1e-9)
         near = _is_near(question, wrong, value) and not coarse
         if (exactly or near) and not _is_right(question, right, wrong):
-            found.setdefault(name, Diagnosis(name, f"It looks as if {sentence}."))
+            found.setdefault(name, Diagnosis(name, looks_as_if(words)))
     if len(found) > 1 and question.integer and abs(value) < _TELLING:
         return None
     if found:
@@ -72,8 +73,9 @@ def diagnose_number(
 
 @cache
 def _known_variations(
-    code: str, numbers: tuple[tuple[str, float], ...]
+    code: str, numbers: tuple[tuple[str, float], ...], language: str
 ) -> tuple[tuple[str, str, float], ...]:
+    """The variations with their words in the language that is spoken."""
     return tuple(variations(code, dict(numbers)))
 
 
@@ -85,18 +87,22 @@ def _simple(question: Number, right: list[float]) -> Iterator[tuple[Diagnosis, f
             with np.errstate(all="ignore"):
                 changed = float(relation.change(np.asarray(expected, dtype=float)))
             if np.isfinite(changed):
-                yield Diagnosis(relation.name, relation.sentence), changed
+                yield relation.diagnosis, changed
 
 
 def _roundings(question: Number, right: list[float]) -> Iterator[tuple[float, str]]:
     """What is right with fewer decimals than are asked for, or cut off, or rounded up."""
     for expected in right:
         for decimals in range(1, question.decimals or 0):
-            yield round(expected, decimals), "rounded to fewer decimals than are asked for"
+            yield (
+                round(expected, decimals),
+                N_("it was rounded to fewer decimals than are asked for"),
+            )
         if question.decimals:
             size = 10.0**question.decimals
-            yield math.ceil(expected * size) / size, "rounded up, and not to the nearest"
-            yield math.floor(expected * size) / size, "cut off, and not rounded to the nearest"
+            up, down = math.ceil(expected * size), math.floor(expected * size)
+            yield up / size, N_("it was rounded up, and not to the nearest")
+            yield down / size, N_("it was cut off, and not rounded to the nearest")
 
 
 def _is_near(question: Number, wrong: float, value: float) -> bool:

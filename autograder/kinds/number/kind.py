@@ -13,6 +13,7 @@ from autograder.kinds.mark import Mark
 from autograder.kinds.number.answer import NumberAlternative, NumberAnswer
 from autograder.kinds.number.marking import mark_number
 from autograder.kinds.number.question import Number
+from autograder.kinds.number.sensible import not_sensible
 from autograder.kinds.number.typed import read_number
 from autograder.kinds.typed import assign_if_open
 from autograder.language import _
@@ -81,6 +82,9 @@ class NumberKind(CodeKind[Number, NumberAnswer]):
         from autograder.kinds.number.widget import NumberWidget
 
         return NumberWidget(desk, question, value, mark)
+
+    def poor_value(self, question: Number, value: float, sheets: float) -> Iterator[str]:
+        yield from not_sensible(question, value, sheets)
 
     def response_like(self, question: Number, alternative: Alternative, drawn: Drawn) -> object:
         assert isinstance(alternative, NumberAlternative)

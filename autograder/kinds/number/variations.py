@@ -16,6 +16,7 @@ from collections.abc import Callable, Iterator, Mapping
 import numpy as np
 
 from autograder.kinds.formula import Term
+from autograder.language import N_, _
 
 _MODULES = {"math": math, "np": np}
 _MOST_NODES = 60  # of a formula; a longer one is a program
@@ -62,7 +63,10 @@ _ARITHMETIC: dict[type[ast.operator], Callable[[object, object], Term]] = {
     ast.Mod: operator.mod,
     ast.Pow: operator.pow,
 }
-_OTHER_LOGARITHMS = (("log10", "common"), ("log2", "binary"))
+_OTHER_LOGARITHMS = (
+    ("log10", "common", N_("a common logarithm stands beside a natural one")),
+    ("log2", "binary", N_("a binary logarithm stands beside a natural one")),
+)
 _LARGEST_POWER = 1e4
 
 Change = Callable[[ast.AST], ast.expr | None]
@@ -85,28 +89,28 @@ def variations(code: str, numbers: Mapping[str, float]) -> Iterator[tuple[str, s
         yield from _told(name, sentence, _value(tree, values))
     for name, sentence, change in _CHANGES:
         for position in range(len(nodes)):
-            yield from _told(name, sentence, _value(_changed(tree, position, change), numbers))
+            yield from _told(name, _(sentence), _value(_changed(tree, position, change), numbers))
     for position, node in enumerate(nodes):
         if position == 0 or not isinstance(node, ast.BinOp | ast.Call):
             continue
         part = _value(node, numbers)
         if part is None:
             continue
-        yield from _told("part of it", "only a part of the formula was computed", part)
+        yield from _told("part of it", _("only a part of the formula was computed"), part)
         if part not in (0, 1):
-            words = "one was divided by a part of the formula, and the rest left out"
+            words = _("one was divided by a part of the formula, and the rest left out")
             yield from _told("one over a part", words, 1 / part)
         for digits, how in itertools.product((1, 2, 3), _SHORTER):
             early = ast.Constant(how(part, digits))
             yield from _told(
                 "rounded too early",
-                "a number was rounded in the middle of the calculation; round at the end only",
+                _("a number was rounded in the middle of the calculation; round at the end only"),
                 _value(_changed(tree, position, _always(early)), numbers),
             )
     for node in nodes:
         match node:
             case ast.Constant(value=int() | float() as factor) if factor not in (0, 1):
-                words = f"the result was multiplied by {factor}"
+                words = _("the result was multiplied by {factor}").format(factor=factor)
                 yield from _told("multiplied once more", words, right * factor)
 
 
@@ -121,24 +125,29 @@ def _other_numbers(
     """The numbers with two of them exchanged, or one of them mistaken."""
     given = dict(numbers)
     for one, other in itertools.combinations(used, 2):
-        words = f"{one} and {other} have changed places in the formula"
+        words = _("{one} and {other} have changed places in the formula")
+        words = words.format(one=one, other=other)
         exchanged = {**given, one: given[other], other: given[one]}
         yield f"{one} and {other} exchanged", words, exchanged
     for name in used:
         value = given[name]
         if 0 < value < 1:
-            words = f"1 - {name} stands for {name}, or the other way round"
+            words = _("1 - {name} stands for {name}, or the other way round").format(name=name)
             yield f"1 - {name} for {name}", words, {**given, name: 1 - value}
         if isinstance(value, int):
             for change, sign in ((-1, "-"), (1, "+")):
-                words = f"{name} {sign} 1 was put in for {name}"
+                words = _("{changed} was put in for {name}").format(
+                    changed=f"{name} {sign} 1", name=name
+                )
                 yield f"{name} {sign} 1 for {name}", words, {**given, name: value + change}
             for share, part in given.items():
                 if not 0 < part < 1:
                     continue
                 for factor, of in ((part, share), (1 - part, f"1 - {share}")):
                     if (count := value * factor) == int(count):
-                        words = f"only the share {of} of the {value} was counted"
+                        words = _("only the share {share} of the {count} was counted").format(
+                            share=of, count=value
+                        )
                         yield "only a share counted", words, {**given, name: int(count)}
 
 
@@ -226,23 +235,36 @@ def _ordered(node: ast.AST) -> ast.expr | None:
 
 
 _CHANGES: tuple[tuple[str, str, Change], ...] = (
-    ("not rounded", "it was not rounded to a whole number", _rounding(None)),
-    ("rounded down", "it was rounded down", _rounding("floor")),
-    ("rounded up", "it was rounded up", _rounding("ceil")),
-    ("rounded to the nearest", "it was rounded to the nearest whole number", _rounding("round")),
-    ("order counted", "what differs in its order only was counted more than once", _ordered),
-    ("a power for a choice", "the same one may be chosen twice", _power_of_arguments),
-    ("one for each", "one was counted for each, and not how many may be chosen", _first_argument),
-    ("power left out", "something is there once that must happen several times", _power_left_out),
-    ("a product for a power", "a product stands for a power", _product_for_power),
-    ("complement left out", "an event stands for its complement", _without_complement),
-    ("complement too much", "the complement was taken of what is raised to a power", _complemented),
-    ("a number one more", "a number in the formula is one too large", _constant(1)),
-    ("a number one less", "a number in the formula is one too small", _constant(-1)),
-    *(
-        (f"{words} logarithm", f"a {words} logarithm stands beside a natural one", _logarithm(name))
-        for name, words in _OTHER_LOGARITHMS
+    ("not rounded", N_("it was not rounded to a whole number"), _rounding(None)),
+    ("rounded down", N_("it was rounded down"), _rounding("floor")),
+    ("rounded up", N_("it was rounded up"), _rounding("ceil")),
+    (
+        "rounded to the nearest",
+        N_("it was rounded to the nearest whole number"),
+        _rounding("round"),
     ),
+    ("order counted", N_("what differs in its order only was counted more than once"), _ordered),
+    ("a power for a choice", N_("the same one may be chosen twice"), _power_of_arguments),
+    (
+        "one for each",
+        N_("one was counted for each, and not how many may be chosen"),
+        _first_argument,
+    ),
+    (
+        "power left out",
+        N_("something is there once that must happen several times"),
+        _power_left_out,
+    ),
+    ("a product for a power", N_("a product stands for a power"), _product_for_power),
+    ("complement left out", N_("an event stands for its complement"), _without_complement),
+    (
+        "complement too much",
+        N_("the complement was taken of what is raised to a power"),
+        _complemented,
+    ),
+    ("a number one more", N_("a number in the formula is one too large"), _constant(1)),
+    ("a number one less", N_("a number in the formula is one too small"), _constant(-1)),
+    *((f"{kind} logarithm", words, _logarithm(name)) for name, kind, words in _OTHER_LOGARITHMS),
 )
 
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from autograder.language import _
 from autograder.marking.diagnosis.relations import Diagnosis
 
 Cards = tuple[str, ...]
@@ -30,7 +31,7 @@ def diagnose_order(
         if order == base[::-1]:
             return Diagnosis(
                 "everything reversed",
-                "It looks as if the whole order is reversed: the first step stands last.",
+                _("It looks as if the whole order is reversed: the first step stands last."),
             )
     for base in bases:
         if found := _stages(order, base, texts):
@@ -66,20 +67,20 @@ def _one_card(order: Cards, base: Cards, texts: dict[str, str]) -> Diagnosis | N
     if (span := _differing(order, base)) is None:
         return None
     given, right = order[slice(*span)], base[slice(*span)]
-    for early, card, rest in (
-        (True, right[-1], (right[-1], *right[:-1])),
-        (False, right[0], (*right[1:], right[0])),
+    early = _("It looks as if only “{card}” is out of place: it stands too early.")
+    late = _("It looks as if only “{card}” is out of place: it stands too late.")
+    for said, card, rest in (
+        (early, right[-1], (right[-1], *right[:-1])),
+        (late, right[0], (*right[1:], right[0])),
     ):
         if given == rest:
-            return Diagnosis(
-                "one card misplaced",
-                f"It looks as if only “{texts[card]}” is out of place: it stands too "
-                f"{'early' if early else 'late'}.",
-            )
+            return Diagnosis("one card misplaced", said.format(card=texts[card]))
     if len(given) > 2 and given == (right[-1], *right[1:-1], right[0]):
         return Diagnosis(
             "two cards exchanged",
-            f"It looks as if “{texts[right[0]]}” and “{texts[right[-1]]}” have changed places.",
+            _("It looks as if “{first}” and “{second}” have changed places.").format(
+                first=texts[right[0]], second=texts[right[-1]]
+            ),
         )
     return None
 
@@ -92,28 +93,44 @@ def _stages(order: Cards, base: Cards, texts: dict[str, str]) -> Diagnosis | Non
     if given == right[::-1]:
         return Diagnosis(
             "reversed within a stage",
-            f"It looks as if one stage is reversed, the steps {_run(right, texts)}.",
+            _("It looks as if one stage is reversed, the steps {steps}.").format(
+                steps=_run(right, texts)
+            ),
         )
     for cut in range(2, count - 1):
         if given == right[cut:] + right[:cut]:
             first, second = right[:cut], right[cut:]
-            moved, how = (first, "late") if len(first) <= len(second) else (second, "early")
-            return Diagnosis(
-                "a stage moved",
-                f"It looks as if a whole stage stands too {how}, the steps {_run(moved, texts)}; "
-                "within it the order is right.",
-            )
+            if len(first) <= len(second):
+                moved, said = (
+                    first,
+                    _(
+                        "It looks as if a whole stage stands too late, the steps {steps}; "
+                        "within it the order is right."
+                    ),
+                )
+            else:
+                moved, said = (
+                    second,
+                    _(
+                        "It looks as if a whole stage stands too early, the steps {steps}; "
+                        "within it the order is right."
+                    ),
+                )
+            return Diagnosis("a stage moved", said.format(steps=_run(moved, texts)))
     for first_end in range(2, count - 2):
         for second_begin in range(first_end + 1, count - 1):
             first, second = right[:first_end], right[second_begin:]
             if given == second + right[first_end:second_begin] + first:
                 return Diagnosis(
                     "two stages exchanged",
-                    f"It looks as if two stages have changed places, the steps "
-                    f"{_run(first, texts)} and those {_run(second, texts)}.",
+                    _(
+                        "It looks as if two stages have changed places, the steps {first} and "
+                        "those {second}."
+                    ).format(first=_run(first, texts), second=_run(second, texts)),
                 )
     return None
 
 
 def _run(cards: Sequence[str], texts: dict[str, str]) -> str:
-    return f"from “{texts[cards[0]]}” to “{texts[cards[-1]]}”"
+    said = _("from “{first}” to “{last}”")
+    return said.format(first=texts[cards[0]], last=texts[cards[-1]])

@@ -8,24 +8,41 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from autograder.language import N_, _
+
 Numbers = NDArray[np.float64]
+
+
+def looks_as_if(words: str) -> str:
+    """The sentence of a diagnosis; ``words`` say it in the language that is spoken."""
+    return _("It looks as if {words}.").format(words=words)
+
+
+def another_answer(id: str, title: str) -> str:
+    """The sentence to a response that answers another question."""
+    said = _("It looks as if this is the answer to {question}, {title}; what is different here?")
+    return said.format(question=id, title=repr(title))
 
 
 @dataclass(frozen=True)
 class Relation:
-    """``change`` makes of what is right what was given; ``sentence`` says what that looks like."""
+    """``change`` makes of what is right what was given; ``words`` say it in English."""
 
     name: str
-    sentence: str
+    words: str
     change: Callable[[Numbers], Numbers]
+
+    @property
+    def diagnosis(self) -> Diagnosis:
+        """Its name, and the sentence in the language that is spoken."""
+        return Diagnosis(self.name, looks_as_if(_(self.words)))
 
     def and_then(self, other: Relation) -> Diagnosis:
         """The name of two relations, one after the other."""
-        second = other.sentence.removeprefix("It looks as if ")
+        said = _("It looks as if there are two things: {first}; and {second}.")
         return Diagnosis(
             f"{self.name}, then {other.name}",
-            f"It looks as if there are two things: {self.sentence[len('It looks as if ') : -1]}; "
-            f"and {second}",
+            said.format(first=_(self.words), second=_(other.words)),
         )
 
 
@@ -44,39 +61,43 @@ class Diagnosis:
 
 # Of each: the name, what the sentence says after "It looks as if", and the change.
 RELATIONS = tuple(
-    Relation(name, f"It looks as if {sentence}.", change)
-    for name, sentence, change in (
+    Relation(name, words, change)
+    for name, words, change in (
         (
             "sign turned",
-            "the sign is turned round; try it on an example that is small enough to do by hand",
+            N_("the sign is turned round; try it on an example small enough to do by hand"),
             lambda x: -x,
         ),
-        ("without its sign", "the sign was dropped; a value may be negative here", np.abs),
-        ("twice", "a factor 2 is counted twice or not divided out", lambda x: 2 * x),
-        ("half", "a factor 2 was lost", lambda x: x / 2),
-        ("degrees", "an angle is in degrees; radians are asked for", np.degrees),
-        ("radians", "an angle was converted to radians that already was in radians", np.radians),
-        ("in percent", "it is in percent; give the fraction itself", lambda x: 100 * x),
-        ("a hundredth", "it was divided by a hundred", lambda x: x / 100),
-        ("complement", "it is the opposite case; take the complement", lambda x: 1 - x),
-        ("reciprocal", "the fraction is upside down", lambda x: 1 / x),
-        ("one more", "the count begins or ends one too late", lambda x: x + 1),
-        ("one less", "the count begins or ends one too early", lambda x: x - 1),
-        ("squared", "a square was left in place; is its root asked for?", np.square),
-        ("its root", "a root was taken that is not asked for", np.sqrt),
-        ("its logarithm", "a logarithm was taken that is not asked for", np.log),
+        ("without its sign", N_("the sign was dropped; a value may be negative here"), np.abs),
+        ("twice", N_("a factor 2 is counted twice or not divided out"), lambda x: 2 * x),
+        ("half", N_("a factor 2 was lost"), lambda x: x / 2),
+        ("degrees", N_("an angle is in degrees; radians are asked for"), np.degrees),
+        (
+            "radians",
+            N_("an angle was converted to radians that already was in radians"),
+            np.radians,
+        ),
+        ("in percent", N_("it is in percent; give the fraction itself"), lambda x: 100 * x),
+        ("a hundredth", N_("it was divided by a hundred"), lambda x: x / 100),
+        ("complement", N_("it is the opposite case; take the complement"), lambda x: 1 - x),
+        ("reciprocal", N_("the fraction is upside down"), lambda x: 1 / x),
+        ("one more", N_("the count begins or ends one too late"), lambda x: x + 1),
+        ("one less", N_("the count begins or ends one too early"), lambda x: x - 1),
+        ("squared", N_("a square was left in place; perhaps its root is asked for"), np.square),
+        ("its root", N_("a root was taken that is not asked for"), np.sqrt),
+        ("its logarithm", N_("a logarithm was taken that is not asked for"), np.log),
         (
             "common logarithm",
-            "a common logarithm stands for a natural one",
+            N_("a common logarithm stands for a natural one"),
             lambda x: x / np.log(10),
         ),
         (
             "binary logarithm",
-            "a binary logarithm stands for a natural one",
+            N_("a binary logarithm stands for a natural one"),
             lambda x: x / np.log(2),
         ),
-        ("rounded", "it was rounded too early", np.round),
-        ("rounded down", "the decimals were cut off", np.floor),
-        ("rounded up", "it was rounded up", np.ceil),
+        ("rounded", N_("it was rounded too early"), np.round),
+        ("rounded down", N_("the decimals were cut off"), np.floor),
+        ("rounded up", N_("it was rounded up"), np.ceil),
     )
 )

@@ -92,10 +92,10 @@ def has_variants(desk: Desk, question: Question) -> bool:
     """Whether a fresh variant of a question can be drawn and marked here.
 
     One whose words are the same in all variants has none: what it asks is a formula, say, and only
-    its feedback has numbers.
+    its feedback has numbers. Nor has one that asks the same with another example.
     """
     written = desk.course.varied.get(question.id)
-    if written is None or written.variables is None:
+    if written is None or written.variables is None or kind_of(question).varies_in_words:
         return False
     sheet, others = written.question(0), range(1, min(written.variables.count, MOST_TRIED))
     differs = any(written.question(variant) != sheet for variant in others)
