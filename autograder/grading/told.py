@@ -6,6 +6,7 @@ import re
 from collections.abc import Sequence
 
 from autograder.exchange.messages import Told
+from autograder.language import _
 
 LONGEST_CODE = 6000  # characters of a cell that the page of feedback shows
 
@@ -36,14 +37,16 @@ def in_words(told: Told | None) -> str:
     if told["module"]:
         said = missing_module(told)
     if told["line"]:
-        said += f", at line {told['line']} of the cell"
+        at = _("{error}, at line {line} of the cell")
+        said = at.format(error=said, line=told["line"])
         said += f": {told['source']}" if told["source"] else ""
     return said
 
 
 def missing_module(told: Told) -> str:
     """That a module is not there."""
-    return f"{told['module']} is not installed where this is marked"
+    said = _("{module} is not installed where this is marked")
+    return said.format(module=told["module"])
 
 
 def import_notes(chapter: str, told: Sequence[Told | None]) -> list[str]:
@@ -53,7 +56,11 @@ def import_notes(chapter: str, told: Sequence[Told | None]) -> list[str]:
         if entry and entry["module"]:
             source = f" ({entry['source']})" if entry["source"] else ""
             notes.append(
-                f"{chapter}: {missing_module(entry)}{source}, line {entry['line']} of its cell; "
-                "what needs it did not run. Remove the import, or ask for the module."
+                _(
+                    "{chapter}: {missing}, line {line} of its cell; what needs it did not run. "
+                    "Remove the import, or ask for the module."
+                ).format(
+                    chapter=chapter, missing=f"{missing_module(entry)}{source}", line=entry["line"]
+                )
             )
     return list(dict.fromkeys(notes))[:5]

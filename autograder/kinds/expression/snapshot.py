@@ -15,6 +15,7 @@ from autograder.kinds.expression.question import Expression
 from autograder.kinds.formula import evaluate_formula
 from autograder.kinds.mark import Mark
 from autograder.kinds.snapshot import LATER, wrong
+from autograder.language import _
 from autograder.marking.diagnosis.relations import RELATIONS, Diagnosis
 
 _POINTS = 6
@@ -51,21 +52,26 @@ def mark_snapshot(question: Expression, snapshot: Message, values: object) -> Ma
     points = snapshot["points"]
     count = len(next(iter(points.values())))
     if not (isinstance(values, np.ndarray) and values.shape == (count,)):
-        return wrong(question, f"{question.name} has no numeric values.")
+        return wrong(question, _("{name} has no numeric values.").format(name=question.name))
     for accepted in snapshot["accepted"]:
         if same_values(accepted["values"], values, accepted["modulo"]):
-            feedback = f"Right at the {count} points of this check. {LATER}"
+            feedback = _("Right at the {count} points of this check.").format(count=count)
+            feedback += f" {_(LATER)}"
             return Mark(question.id, "right", 1.0, question.points, feedback)
     expected = snapshot["accepted"][0]["values"]
     known = np.flatnonzero(np.isfinite(expected))
     differing = [i for i in known if not np.isclose(values[i], expected[i], rtol=1e-6, atol=1e-9)]
     at = differing[0] if differing else known[0]
     where = ", ".join(f"{name} = {value[at]:.4g}" for name, value in points.items())
-    said = (
-        f"Not equal yet. At {where} it is {_number(values[at])}; "
-        f"expected is {_number(expected[at])}"
-        + (" (or that plus a multiple of a period)." if snapshot["accepted"][0]["modulo"] else ".")
+    differs = (
+        _(
+            "Not equal yet. At {where} it is {value}; expected is {right} (or that plus a "
+            "multiple of a period)."
+        )
+        if snapshot["accepted"][0]["modulo"]
+        else _("Not equal yet. At {where} it is {value}; expected is {right}.")
     )
+    said = differs.format(where=where, value=_number(values[at]), right=_number(expected[at]))
     found = _related(snapshot["accepted"], values)
     if found is None:
         return wrong(question, said)

@@ -9,6 +9,7 @@ import numpy as np
 from autograder.exchange.messages import Values
 from autograder.exchange.reasons import REASONS
 from autograder.kinds.function.question import Function
+from autograder.language import _
 
 _SHORT = 160  # characters of an input or a value that a hint may show
 
@@ -18,21 +19,26 @@ def hint(question: Function, case: Values, expected: Mapping[str, object], outco
     arguments = [_shown(value) for value in case["args"]]
     arguments += [f"{name}={_shown(value)}" for name, value in case.get("kwargs", {}).items()]
     call = f"{question.name}({', '.join(arguments)})"
+    fields: dict[str, object] = {}
     if isinstance(outcome, dict) and "raised" in outcome:
-        gave = f"raises {outcome['raised']}"
+        gave = _("{call} raises {error}; expected is {right}.")
+        fields["error"] = outcome["raised"]
     elif isinstance(outcome, dict) and "value" in outcome:
-        gave = f"gives {_shown(outcome['value'])}"
+        gave = _("{call} gives {value}; expected is {right}.")
+        fields["value"] = _shown(outcome["value"])
     else:
         reason = str(outcome.get("unusable")) if isinstance(outcome, dict) else ""
-        gave = f"cannot be used: {REASONS.get(reason, REASONS['not plain'])}"
+        gave = _("{call} cannot be used: {why}; expected is {right}.")
+        fields["why"] = _(REASONS.get(reason, REASONS["not plain"]))
     right = _shown(expected["value"]) if "value" in expected else _an(f"{expected.get('raised')}")
     if len(call) > _SHORT:
-        call = f"For {case['name']}, {question.name}"
-    return f"{call} {gave}; expected is {right}."
+        call = _("For {case}, {function}").format(case=case["name"], function=question.name)
+    return gave.format(call=call, right=right, **fields)
 
 
 def _an(error: str) -> str:
-    return f"an {error}" if error[:1] in "AEIOU" else f"a {error}"
+    said = _("an {error}") if error[:1] in "AEIOU" else _("a {error}")
+    return said.format(error=error)
 
 
 def _shown(value: object) -> str:

@@ -13,6 +13,7 @@ from autograder.kinds.function.marking import agrees, close, nearly
 from autograder.kinds.function.question import Function
 from autograder.kinds.mark import Mark, Part, stopped
 from autograder.kinds.snapshot import LATER
+from autograder.language import _, n_
 from autograder.marking.diagnosis.relations import Diagnosis
 
 
@@ -34,8 +35,12 @@ def mark_snapshot(question: Function, snapshot: dict[str, Value], outcomes: list
         for kind in kinds
     )
     if all(verdicts):
-        examples = f"the {len(cases)} examples" if len(cases) > 1 else "the example"
-        feedback = f"Right on {examples} of this check. {LATER}"
+        feedback = n_(
+            "Right on the example of this check.",
+            "Right on the {count} examples of this check.",
+            len(cases),
+        ).format(count=len(cases))
+        feedback += f" {_(LATER)}"
         return Mark(question.id, "right", 1.0, question.points, feedback, parts=parts)
     first = verdicts.index(False)
     failing = ", ".join(part.label for part in parts if not part.right)
@@ -43,10 +48,11 @@ def mark_snapshot(question: Function, snapshot: dict[str, Value], outcomes: list
     example = hint(question, case, case["expected"], outcomes[first])
     if snapshot["forgiving"] and not any(map(_is_wrong, cases, outcomes)):
         feedback = (
-            f"Recorded. It differs from one right result, and may be right all the same. {example}"
+            _("Recorded. It differs from one right result, and may be right all the same.")
+            + f" {example}"
         )
         return stopped(question, "recorded", feedback)
-    feedback = f"Not yet right for: {failing}. {example}"
+    feedback = _("Not yet right for: {failing}.").format(failing=failing) + f" {example}"
     found = _diagnosis(cases, outcomes, verdicts)
     name = found.name if found else None
     if found:
