@@ -98,12 +98,12 @@ def test_an_arrow_that_runs_up_would_be_noticed(tmp_path):
 def test_what_crosses_knows_no_policy(room):
     for path in (ENGINE / room).glob("*.py"):
         ours = {name for name in imported(path) if name.startswith("autograder.")}
-        assert {room_of(name) for name in ours} <= {room, "errors"}, path
+        assert {room_of(name) for name in ours} <= {room, "errors", "language"}, path
 
 
 def test_what_runs_beside_the_student_imports_nothing_that_knows_the_key():
     """Only what crosses, what isolates, the questions, and itself."""
-    allowed = {"errors", "exchange", "sandbox"}
+    allowed = {"errors", "exchange", "language", "sandbox"}
     for module, path in modules().items():
         if not is_inside(path):
             continue
@@ -120,4 +120,4 @@ def test_the_sandbox_isolates_and_does_nothing_else():
     """It knows neither questions nor marks; that is for those who use it."""
     for path in (ENGINE / "sandbox").glob("*.py"):
         rooms = {room_of(name) for name in imported(path)} - {None}
-        assert rooms <= {"sandbox", "exchange", "course", "errors"}, path
+        assert rooms <= {"sandbox", "exchange", "course", "errors", "language"}, path

@@ -21,7 +21,7 @@ from autograder.errors import CourseError, UsageError
 from autograder.kinds.registry import load_kind
 from autograder.kinds.strict import Place, Table, read_table
 from autograder.kinds.variables import Variables, read_variables
-from autograder.language import use
+from autograder.language import N_, _, use
 
 QUESTIONS = Path("notebooks/questions")
 ANSWERS = Path("solutions/answers")
@@ -69,7 +69,8 @@ class Course:
         Raises:
             UsageError: if there is none; the sentence lists the ids that exist.
         """
-        return _named(id, self.questions, "question")
+        said = N_("There is no question {name}; this course has {listed}.")
+        return _named(id, self.questions, said)
 
     @cached_property
     def predictions(self) -> dict[str, Prediction]:
@@ -86,7 +87,8 @@ class Course:
         Raises:
             UsageError: if there is none; the sentence lists the ids that exist.
         """
-        return _named(id, self.predictions, "prediction")
+        said = N_("There is no prediction {name}; this course has {listed}.")
+        return _named(id, self.predictions, said)
 
     def chapter(self, name: str) -> Chapter:
         """The chapter with this name."""
@@ -128,7 +130,8 @@ class Course:
             for id, written in self.varied.items()
             if written.table.get("story")
         }
-        return self.numbers(_named(name, tellers, "story")) or {}
+        said = N_("There is no story {name}; this course has {listed}.")
+        return self.numbers(_named(name, tellers, said)) or {}
 
     def with_variants(self, variants: Mapping[str, int]) -> Course:
         """The course with these variants of the questions that have any; the others have 0.
@@ -356,13 +359,13 @@ def load_course(root: Path | None = None) -> Course:
     )
 
 
-def _named(name: str, there_are: Mapping[str, _T], what: str) -> _T:
-    """The entry of this name; a `UsageError` lists the names that exist."""
+def _named(name: str, there_are: Mapping[str, _T], refusal: str) -> _T:
+    """The entry of this name; a `UsageError` lists the names that exist, by a marked sentence."""
     try:
         return there_are[name]
     except (KeyError, TypeError):
-        listed = ", ".join(there_are) or "none"
-        raise UsageError(f"There is no {what} {name!r}; this course has {listed}.") from None
+        listed = ", ".join(there_are) or _("none")
+        raise UsageError(_(refusal).format(name=repr(name), listed=listed)) from None
 
 
 def _read_stories(stories: object, text: str, file: Path) -> dict[str, Variables]:

@@ -17,6 +17,7 @@ from msgspec import Meta
 from autograder.course.filling import fill_text
 from autograder.errors import UsageError
 from autograder.kinds.written import Text, Written
+from autograder.language import _
 
 ID = r"^P\d+(\.\d+)*[a-z]?$"
 MOST_DIGITS = 6  # of a number in words
@@ -78,7 +79,7 @@ class Prediction(Written, frozen=True, kw_only=True):
             if self.fits(value):
                 return str(value)
             listed = ", ".join(f"{n} ({text})" for n, text in enumerate(self.choices, 1))
-            raise UsageError(f"Choose one of {listed}.")
+            raise UsageError(_("Choose one of {choices}.").format(choices=listed))
         number = (
             value.item()
             if isinstance(value, np.generic | np.ndarray) and value.ndim == 0
@@ -86,9 +87,13 @@ class Prediction(Written, frozen=True, kw_only=True):
         )  # NumPy's
         if self.fits(number):
             return int(number) if self.integer or number == int(number) else float(number)
-        what = "a whole number" if self.integer else "a number"
+        said = (
+            _("Give a whole number from {low} to {high}.")
+            if self.integer
+            else _("Give a number from {low} to {high}.")
+        )
         low, high = (f"{bound:,.{MOST_DIGITS}g}" for bound in self.between)
-        raise UsageError(f"Give {what} from {low} to {high}{self._unit(self.between[1])}.")
+        raise UsageError(said.format(low=low, high=f"{high}{self._unit(self.between[1])}"))
 
     def in_words(self, value: Guess) -> str:
         """A kept prediction for people to read."""

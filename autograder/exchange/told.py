@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from autograder.exchange.messages import Told
+from autograder.language import _
 
 
 def in_words(told: Told | None) -> str:
@@ -13,11 +14,13 @@ def in_words(told: Told | None) -> str:
     if told["module"]:
         said = missing_module(told)
     if told["line"]:
-        said += f", at line {told['line']} of the cell"
+        at = _("{error}, at line {line} of the cell")
+        said = at.format(error=said, line=told["line"])
         said += f": {told['source']}" if told["source"] else ""
     return said
 
 
 def missing_module(told: Told) -> str:
     """That a module is not there."""
-    return f"{told['module']} is not installed where this is marked"
+    said = _("{module} is not installed where this is marked")
+    return said.format(module=told["module"])

@@ -35,6 +35,7 @@ from statistics import fmean
 from typing import TYPE_CHECKING, Protocol
 
 from autograder.grading.graded import Graded
+from autograder.language import _
 
 if TYPE_CHECKING:
     from autograder.course import Course
@@ -118,7 +119,7 @@ class Scheme:
         excused = self.excused.get(record.student, {})
         possible = self._possible(excused)
         earned = dict.fromkeys(possible, 0.0)
-        for question, (chapter, _) in self.questions.items():
+        for question, (chapter, _points) in self.questions.items():
             if self.counts(question, record):
                 earned[chapter] += record.points(question) or 0.0
         if self.weights:
@@ -143,14 +144,18 @@ class Scheme:
     def remark(self, question: str, record: Work) -> str:
         """What the student has to know of how the question counts; "" if it is as usual."""
         if question in self.dropped:
-            return "This question was dropped: it counts for nobody."
+            return _("This question was dropped: it counts for nobody.")
         reason = self.excused.get(record.student, {}).get(question)
         if reason is not None:
-            because = f" ({reason})" if reason else ""
-            return f"You are excused from this question{because}: the others count for the whole."
+            if not reason:
+                return _("You are excused from this question: the others count for the whole.")
+            said = _(
+                "You are excused from this question ({reason}): the others count for the whole."
+            )
+            return said.format(reason=reason)
         if question in self.given:
-            return "Everybody has the full points for this question."
-        return "A bonus question: its points are extra." if question in self.bonus else ""
+            return _("Everybody has the full points for this question.")
+        return _("A bonus question: its points are extra.") if question in self.bonus else ""
 
     def _possible(self, excused: Mapping[str, str] | Sequence[str]) -> dict[str, float]:
         possible: dict[str, float] = {}

@@ -19,7 +19,7 @@ from autograder.intake.submissions import Contents
 from autograder.kinds.drawn import Drawn
 from autograder.kinds.mark import NO_VALUE
 from autograder.kinds.registry import kind_of
-from autograder.language import _
+from autograder.language import N_, _
 from autograder.marking import Mark, not_attempted, stopped
 from autograder.marking.marker import Marker
 from autograder.sandbox.launcher import Sandbox, Session, Stopped
@@ -177,8 +177,10 @@ def _mark_named(
         mark = stopped(
             question,
             "error",
-            f"The cell that should define {question.name} raised an exception. "
-            "Restart the kernel, run all cells, and fix the first one that fails.",
+            _(
+                "The cell that should define {name} raised an exception. "
+                "Restart the kernel, run all cells, and fix the first one that fails."
+            ).format(name=question.name),
         )
         return replace(mark, told=in_words(next(iter(ran.told[defining:]), None)))
     return marker.mark(question.id, response, _line(ran.understood.get(question.name, "")))
@@ -226,7 +228,7 @@ def _ask_about_the_example(
         (question, opening)
         for mark in marks
         if not mark.told
-        and (NO_VALUE in mark.feedback or (mark.status == "error" and mark.parts))
+        and (_(NO_VALUE) in mark.feedback or (mark.status == "error" and mark.parts))
         and (question := marker.course.questions[mark.question]).name is not None
         and (opening := _public_call(question, marker)) is not None
     ]
@@ -250,8 +252,8 @@ def _no_value(reply: Evaluation) -> str:
     outcomes = reply.get("outcomes")
     outcome: Outcome = outcomes[0] if outcomes else {}
     if "unusable" in outcome:
-        return REASONS[outcome["unusable"]]
-    return "it changes its input in place; work on a copy" if "changed" in outcome else ""
+        return _(REASONS[outcome["unusable"]])
+    return _("it changes its input in place; work on a copy") if "changed" in outcome else ""
 
 
 def _public_call(question: Question, marker: Marker) -> dict[str, object] | None:
@@ -271,22 +273,27 @@ def _with_code(mark: Mark, question: Question, work: _Work, said: dict[str, _Exa
     example = said.get(question.id, _Example())
     feedback = mark.feedback
     if example.reason:
-        feedback = f"{feedback} On the example that you can see, {example.reason}."
+        seen = _("On the example that you can see, {reason}.").format(reason=example.reason)
+        feedback = f"{feedback} {seen}"
     return replace(mark, code=code, told=mark.told or example.told, feedback=feedback)
 
 
 def _notebook_stopped(stop: Stopped) -> str:
     if stop.status == "timeout":
-        why = f": {stop.why}" if stop.why else ""
-        return f"Running the notebook took longer than the time limit{why}."
-    why = stop.why or "too much memory, a crash, or an exit"
-    return f"The notebook's process ended while it ran: {why}."
+        if not stop.why:
+            return _("Running the notebook took longer than the time limit.")
+        said = _("Running the notebook took longer than the time limit: {why}.")
+        return said.format(why=_(stop.why))
+    why = _(stop.why or N_("too much memory, a crash, or an exit"))
+    return _("The notebook's process ended while it ran: {why}.").format(why=why)
 
 
 def _response_stopped(stop: Stopped) -> str:
     if stop.status == "timeout" and stop.why:
-        return f"It took longer than the time limit: {stop.why}."
-    return f"The process that ran it was ended: {stop.why}." if stop.why else ""
+        return _("It took longer than the time limit: {why}.").format(why=_(stop.why))
+    if not stop.why:
+        return ""
+    return _("The process that ran it was ended: {why}.").format(why=_(stop.why))
 
 
 def _line(value: object) -> str:

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 
 from autograder.exchange.messages import Told
 from autograder.exchange.told import missing_module
+from autograder.language import _
 
 LONGEST_CODE = 6000  # characters of a cell that the page of feedback shows
 
@@ -36,7 +37,11 @@ def import_notes(chapter: str, told: Sequence[Told | None]) -> list[str]:
         if entry and entry["module"]:
             source = f" ({entry['source']})" if entry["source"] else ""
             notes.append(
-                f"{chapter}: {missing_module(entry)}{source}, line {entry['line']} of its cell; "
-                "what needs it did not run. Remove the import, or ask for the module."
+                _(
+                    "{chapter}: {missing}, line {line} of its cell; what needs it did not run. "
+                    "Remove the import, or ask for the module."
+                ).format(
+                    chapter=chapter, missing=f"{missing_module(entry)}{source}", line=entry["line"]
+                )
             )
     return list(dict.fromkeys(notes))[:5]

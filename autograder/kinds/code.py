@@ -8,7 +8,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from autograder.errors import CourseError
-from autograder.exchange.reasons import REASONS
+from autograder.exchange.reasons import REASONS, UNREAD
 from autograder.kinds.drawn import Drawn
 from autograder.kinds.exercise import Exercise, heading
 from autograder.kinds.kind import A, Kind, Q
@@ -34,7 +34,7 @@ class CodeKind(Kind[Q, A]):
 
     def why_unusable(self, question: Q, reason: str) -> str:
         """In words, why a response is none that can be marked."""
-        return REASONS.get(reason, "it could not be read")
+        return _(REASONS.get(reason, UNREAD))
 
     def fits(self, question: Q, response: object) -> bool:
         return False  # nothing is kept but what was typed into a field
@@ -68,12 +68,15 @@ class CodeKind(Kind[Q, A]):
             "wrong",
             0.0,
             question.points,
-            f"{question.name} cannot be marked: {self.why_unusable(question, reason)}.",
+            _("{name} cannot be marked: {why}.").format(
+                name=question.name, why=self.why_unusable(question, reason)
+            ),
             alternative="not usable",
         )
 
     def lines(self, question: Q, response: object) -> list[str]:
-        return [f"Check it with `{self.respond_line(question, response)}`."]
+        said = _("Check it with {call}.")
+        return [said.format(call=f"`{self.respond_line(question, response)}`")]
 
     def respond_line(self, question: Q, response: object) -> str:
         return f'check("{question.id}", {question.name})'

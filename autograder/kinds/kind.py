@@ -21,6 +21,7 @@ from autograder.kinds.exercise import Exercise
 from autograder.kinds.mark import Mark
 from autograder.kinds.question import Question
 from autograder.kinds.reading import Reading
+from autograder.language import N_
 from autograder.marking.mutants.mutant import Trial
 
 Q = TypeVar("Q", bound=Question)
@@ -51,7 +52,7 @@ class Kind(ABC, Generic[Q, A]):
     # Whether each part of a response is a small question of its own, with its own feedback, so that
     # what is wrong is told by the part and not by the alternative that matched.
     parts_stand_alone: ClassVar[bool] = False
-    parts_heading: ClassVar[str] = "Parts"  # above the parts on the page of feedback
+    parts_heading: ClassVar[str] = N_("Parts")  # above the parts on the page of feedback
     by_hand: ClassVar[bool] = False  # whether only a person can mark it, and marks are "recorded"
     # How many right responses in other clothes prove the key, where a course has any.
     fewest_variants: ClassVar[int] = 0

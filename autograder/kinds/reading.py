@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from autograder.exchange.messages import Value
+from autograder.language import _
 
 LETTERS = "ABCDEFGH"
 
@@ -40,15 +41,19 @@ class Reading:
         found, computed = chosen == self.right, returned == self.returned
         said = []
         if found:
-            said.append(f"{LETTERS[self.right]} is right.")
+            said.append(_("{letter} is right.").format(letter=LETTERS[self.right]))
         elif isinstance(chosen, int) and 0 <= chosen < len(self.codes):
-            said.append(f"{LETTERS[chosen]} is not right: {self.remarks[chosen]}")
-            said.append(f"{LETTERS[self.right]} is.")
+            wrong = _("{letter} is not right: {remark}")
+            said.append(wrong.format(letter=LETTERS[chosen], remark=self.remarks[chosen]))
+            said.append(_("{letter} is.").format(letter=LETTERS[self.right]))
         value = self.values[self.returned]
         if computed:
-            said.append(f"And {LETTERS[self.called]} returns `{value}` there.")
+            returns = _("And {letter} returns {value} there.")
         else:
-            said.append(f"{LETTERS[self.called]} returns `{value}` there.")
+            returns = _("{letter} returns {value} there.")
+        said.append(returns.format(letter=LETTERS[self.called], value=f"`{value}`"))
         if chosen != self.called:
-            said.append(f"About {LETTERS[self.called]}: {self.remarks[self.called]}")
+            about = _("About {letter}: {remark}")
+            remark = self.remarks[self.called]
+            said.append(about.format(letter=LETTERS[self.called], remark=remark))
         return {"right": found and computed, "parts": [found, computed], "said": " ".join(said)}

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from autograder.kinds.mark import Mark
 from autograder.kinds.question import Question
+from autograder.language import N_
 
-LATER = "The marks that count are given after you hand in, on other inputs."
+LATER = N_("The marks that count are given after you hand in, on other inputs.")
 
 
 def wrong(question: Question, feedback: str) -> Mark:

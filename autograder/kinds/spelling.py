@@ -12,6 +12,7 @@ from collections.abc import Collection
 from typing import NamedTuple
 
 from autograder.errors import UsageError
+from autograder.language import N_, _
 
 _SUPERSCRIPTS = dict(zip("⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁽⁾", "0123456789+-()", strict=True))
 _SIGNS = {
@@ -24,20 +25,20 @@ _SIGNS = {
 _OPENING = {"(": ")", "[": "]", "{": "}"}
 # What is not read, and what to write for it.
 _INSTEAD = {
-    "|": "abs(x) for |x|",
-    "!": "the product, or comb(n, k)",
-    ":": "/ for a division",
-    ";": "a comma between arguments",
-    "∞": "a finite number",
-    "∑": "the sum itself",
-    "∫": "the integral itself",
-    "≈": "only the value",
-    "≤": "only the value",
-    "≥": "only the value",
-    "€": "only the number, without a unit",
-    "$": "only the number, without a unit",
-    "°": "the angle in radians, such as 30*pi/180",
-    "±": "one of the two",
+    "|": N_("abs(x) for |x|"),
+    "!": N_("the product, or comb(n, k)"),
+    ":": N_("/ for a division"),
+    ";": N_("a comma between arguments"),
+    "∞": N_("a finite number"),
+    "∑": N_("the sum itself"),
+    "∫": N_("the integral itself"),
+    "≈": N_("only the value"),
+    "≤": N_("only the value"),
+    "≥": N_("only the value"),
+    "€": N_("only the number, without a unit"),
+    "$": N_("only the number, without a unit"),
+    "°": N_("the angle in radians, such as 30*pi/180"),
+    "±": N_("one of the two"),
 }
 _GREEK = {
     chr(code): unicodedata.name(chr(code)).rpartition(" ")[2].lower()
@@ -83,7 +84,8 @@ def spelt(text: str, functions: Collection[str]) -> str:
     text = _numbers(text)
     for sign, instead in _INSTEAD.items():
         if sign in text:
-            raise UsageError(f"“{sign}” is not understood here; write {instead}.")
+            said = _("“{sign}” is not understood here; write {instead}.")
+            raise UsageError(said.format(sign=sign, instead=_(instead)))
     return _products(_tokens(text), functions)
 
 
@@ -120,17 +122,19 @@ def _numbers(text: str) -> str:
     grouped = rf"(?<![\d.,])\d{{1,3}}(?:(?:{_SPACE}|['’])\d{{3}})+(?![\d])"
     text = re.sub(grouped, lambda found: re.sub(rf"{_SPACE}|['’]", "", found[0]), text)
     if side := re.search(rf"\d{_SPACE}+\.?\d", text):
-        raise UsageError(f"Two numbers stand side by side at “{side[0]}”; write the sign between.")
+        said = _("Two numbers stand side by side at “{part}”; write the sign between.")
+        raise UsageError(said.format(part=side[0]))
     if "(" not in text:
         if re.search(r"(?<![\d.,])\d{1,3}(,\d{3}){2,}(?![\d,])", text):
             text = re.sub(r",(?=\d{3})", "", text)
         elif found := re.search(r"(?<![\d.,])([1-9]\d{0,2}),(\d{3})(?![\d,.])", text):
             whole, point = found[1] + found[2], f"{found[1]}.{found[2]}"
-            raise UsageError(f"“{found[0]}” has two meanings; write {whole} or {point}.")
+            said = _("“{part}” has two meanings; write {one} or {other}.")
+            raise UsageError(said.format(part=found[0], one=whole, other=point))
     percent = r"(?P<n>(?:\d+\.?\d*|\.\d+))\s*%(?=\s*(?:$|[-+)*/,]))"
     text = re.sub(percent, r"(\g<n>/100)", text)
     if "%" in text:
-        raise UsageError("“%” is understood only behind a number, such as 18 %; write 0.18.")
+        raise UsageError(_("“%” is understood only behind a number, such as 18 %; write 0.18."))
     return text
 
 
@@ -156,10 +160,11 @@ def _products(tokens: list[_Token], functions: Collection[str]) -> str:
         calls = token.kind == "name" and token.text in functions
         if made and _ends_a_factor(made[-1], functions) and _begins_a_factor(token):
             if divided:
-                raise UsageError(
-                    f"“/ {made[-1]}{token.text}” has two meanings: put what you divide by in "
-                    "brackets, or write the sign between."
+                said = _(
+                    "“{part}” has two meanings: put what you divide by in brackets, or write the "
+                    "sign between."
                 )
+                raise UsageError(said.format(part=f"/ {made[-1]}{token.text}"))
             made.append("*")
         if calls:
             text, at = _call(tokens, at, functions)
@@ -195,7 +200,7 @@ def _bracket(tokens: list[_Token], at: int) -> tuple[list[_Token], int]:
         depth += (tokens[end].text == "(") - (tokens[end].text == ")")
         if depth == 0:
             return tokens[at + 1 : end], end + 1
-    raise UsageError("A bracket is missing.")
+    raise UsageError(_("A bracket is missing."))
 
 
 def _call(tokens: list[_Token], at: int, functions: Collection[str]) -> tuple[str, int]:
@@ -206,7 +211,8 @@ def _call(tokens: list[_Token], at: int, functions: Collection[str]) -> tuple[st
         power, at = _exponent(tokens, at + 1)
         if power.strip("()").replace(" ", "") == "-1":
             if name not in _INVERSE:
-                raise UsageError(f"“{name}^-1” has two meanings; write 1/{name}(...).")
+                said = _("“{part}” has two meanings; write {instead}.")
+                raise UsageError(said.format(part=f"{name}^-1", instead=f"1/{name}(...)"))
             name, power = _INVERSE[name], ""
     if at < len(tokens) and tokens[at].text == "(":
         inside, at = _bracket(tokens, at)
@@ -214,9 +220,11 @@ def _call(tokens: list[_Token], at: int, functions: Collection[str]) -> tuple[st
     elif at < len(tokens) and tokens[at].kind != "sign" and tokens[at].text not in functions:
         argument, at = tokens[at].text, at + 1
         if at < len(tokens) and _begins_a_factor(tokens[at]):
-            raise UsageError(f"Where does {name} end? Put its argument in brackets: {name}(...).")
+            said = _("Where does {name} end? Put its argument in brackets: {call}.")
+            raise UsageError(said.format(name=name, call=f"{name}(...)"))
     elif power:
-        raise UsageError(f"Put the argument of {name} in brackets: {name}(x)**{power}.")
+        said = _("Put the argument of {name} in brackets: {call}.")
+        raise UsageError(said.format(name=name, call=f"{name}(x)**{power}"))
     else:
         return name, at  # alone: the parser says what is wrong
     called = f"{name}({argument})"
@@ -232,4 +240,4 @@ def _exponent(tokens: list[_Token], at: int) -> tuple[str, int]:
         return f"({sign}{''.join(token.text for token in inside)})", at
     if at < len(tokens) and tokens[at].kind != "sign":
         return (f"({sign}{tokens[at].text})" if sign else tokens[at].text), at + 1
-    raise UsageError("This is not finished: an exponent is missing.")
+    raise UsageError(_("This is not finished: an exponent is missing."))

@@ -12,6 +12,7 @@ from collections.abc import Callable, Collection, Mapping
 from autograder.errors import UsageError
 from autograder.kinds.formula import Term
 from autograder.kinds.spelling import is_code, spelt
+from autograder.language import _
 
 MAX_LENGTH = 500
 MAX_BITS = 10_000
@@ -30,7 +31,8 @@ def parse(text: str, functions: Collection[str] = ()) -> ast.expr:
     """
     text = text.strip()
     if len(text) > MAX_LENGTH:
-        raise UsageError(f"That is longer than {MAX_LENGTH} characters.")
+        said = _("That is longer than {count} characters.")
+        raise UsageError(said.format(count=MAX_LENGTH))
     if not is_code(text):
         text = spelt(text, functions)
     try:
@@ -38,16 +40,18 @@ def parse(text: str, functions: Collection[str] = ()) -> ast.expr:
     except (SyntaxError, ValueError, RecursionError, MemoryError):
         raise UsageError(_why_no_formula(text)) from None
     if isinstance(tree, ast.Tuple):
-        raise UsageError("Write one value, with a point for the decimals: 0.5, not 0,5.")
+        raise UsageError(_("Write one value, with a point for the decimals: 0.5, not 0,5."))
     return tree
 
 
 def _why_no_formula(text: str) -> str:
     if text.count("(") != text.count(")"):
-        return "A bracket is missing."
+        return _("A bracket is missing.")
     if "=" in text:
-        return "Give only the right-hand side, without an equals sign."
-    return "This is not finished, or not a formula: write 2*x for a product and x**2 for a power."
+        return _("Give only the right-hand side, without an equals sign.")
+    return _(
+        "This is not finished, or not a formula: write 2*x for a product and x**2 for a power."
+    )
 
 
 def _power(base: Term, exponent: Term) -> object:
@@ -55,7 +59,7 @@ def _power(base: Term, exponent: Term) -> object:
     if isinstance(exponent, int | float) or getattr(exponent, "is_number", False):
         size = int(base).bit_length() if getattr(base, "is_integer", isinstance(base, int)) else 1
         if abs(exponent) * max(size, 1) > MAX_BITS:
-            raise UsageError("That power is too large.")
+            raise UsageError(_("That power is too large."))
     return base**exponent
 
 
@@ -94,12 +98,14 @@ def value_of(
             case ast.Call(func=function, args=arguments, keywords=[]):
                 called = ast.unparse(function).removeprefix("sp.").removeprefix("math.")
                 if called not in functions:
-                    raise UsageError(
-                        f"{ast.unparse(function)} is not understood; use {', '.join(functions)}."
+                    said = _("{name} is not understood; use {functions}.").format(
+                        name=ast.unparse(function), functions=", ".join(functions)
                     )
+                    raise UsageError(said)
                 return functions[called](*(visit(argument) for argument in arguments))
             case ast.Attribute(value=ast.Name(id="sp" | "sympy" | "np" | "math"), attr=attribute):
                 return name(attribute)
-        raise UsageError(f"{ast.unparse(node)} is not understood in a formula.")
+        said = _("{part} is not understood in a formula.")
+        raise UsageError(said.format(part=ast.unparse(node)))
 
     return visit(tree)

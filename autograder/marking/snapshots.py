@@ -14,11 +14,12 @@ from autograder.course import Course
 from autograder.course.questions import Question
 from autograder.errors import CourseError
 from autograder.exchange.messages import Message
-from autograder.exchange.reasons import REASONS
+from autograder.exchange.reasons import REASONS, UNREAD
 from autograder.kinds.mark import Mark, not_attempted, stopped
 from autograder.kinds.pack import unpack
 from autograder.kinds.registry import kind_of
 from autograder.kinds.snapshot import wrong
+from autograder.language import _
 
 SNAPSHOTS = Path("notebooks/snapshots")
 
@@ -67,8 +68,11 @@ class SnapshotMarker:
         if snapshot is None or not snapshot["checked"]:
             return recorded(question, response)
         if state == "raised":
-            return wrong(question, f"Evaluating {question.name} raises {response.get('error')}.")
+            said = _("Evaluating {name} raises {error}.")
+            said = said.format(name=question.name, error=response.get("error"))
+            return wrong(question, said)
         if state != "given":
-            why = REASONS.get(reason, "it could not be read")
-            return wrong(question, f"{question.name} cannot be checked: {why}.")
+            why = _(REASONS.get(reason, UNREAD))
+            said = _("{name} cannot be checked: {why}.").format(name=question.name, why=why)
+            return wrong(question, said)
         return kind_of(question).mark_snapshot(question, snapshot, response)

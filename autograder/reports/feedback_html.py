@@ -236,7 +236,7 @@ def _parts(question: Question, mark: Mark) -> list[str]:
     if all(part.right for part in mark.parts):
         return []
     return [
-        f'<p class="label">{text(kind.parts_heading)}</p>',
+        f'<p class="label">{text(_(kind.parts_heading))}</p>',
         f"<ul>{''.join(_part(part) for part in mark.parts)}</ul>",
     ]
 

@@ -17,9 +17,10 @@ from autograder.exchange import wire
 from autograder.exchange.channel import Channel, Late
 from autograder.exchange.messages import Evaluation, Message, Report
 from autograder.exchange.replies import clean_evaluation, clean_report
+from autograder.language import N_
 from autograder.sandbox.doubt import Doubt
 from autograder.sandbox.host import Host, HostError, limits
-from autograder.sandbox.stopped import BY_THE_SYSTEM, Stopped, out_of_time
+from autograder.sandbox.stopped import BY_SIGNAL, BY_THE_SYSTEM, Stopped, out_of_time
 
 GRACE = 1.0  # seconds between the child's own limit and the one kept here
 PATIENCE = 20  # times a limit: how long to wait for a child that is given no processor
@@ -319,7 +320,7 @@ class Session:
             Stopped: if it was tried too often.
         """
         if self._restarts_left == 0:
-            raise Stopped("killed", "the notebook had to be stopped too often")
+            raise Stopped("killed", N_("the notebook had to be stopped too often"))
         self._restarts_left -= 1
         self._open()
 
@@ -389,9 +390,5 @@ def _stop_by(number: object) -> Stopped:
     if number in (signal.SIGALRM, signal.SIGPROF):
         return Stopped("timeout")
     if number == signal.SIGXCPU:
-        return Stopped("timeout", "it used too much processor time")
-    if number in (signal.SIGSEGV, signal.SIGBUS, signal.SIGFPE, signal.SIGILL, signal.SIGABRT):
-        return Stopped("killed", f"it crashed ({signal.Signals(number).name})")
-    if number == signal.SIGKILL:
-        return Stopped("killed", BY_THE_SYSTEM)
-    return Stopped("killed", "it ended its own process")
+        return Stopped("timeout", BY_SIGNAL[signal.SIGXCPU])
+    return Stopped("killed", BY_SIGNAL.get(number, N_("it ended its own process")))

@@ -1,6 +1,20 @@
 """What is raised when student code did not answer."""
 
-BY_THE_SYSTEM = "it was ended by the system, as happens when memory runs out"
+import signal
+
+from autograder.language import N_
+
+BY_THE_SYSTEM = N_("it was ended by the system, as happens when memory runs out")
+# Why a process ended, by the signal that ended it; translated where it is shown.
+BY_SIGNAL: dict[int, str] = {
+    signal.SIGSEGV: N_("it crashed (segmentation fault)"),
+    signal.SIGBUS: N_("it crashed (bus error)"),
+    signal.SIGFPE: N_("it crashed (arithmetic error)"),
+    signal.SIGILL: N_("it crashed (illegal instruction)"),
+    signal.SIGABRT: N_("it aborted"),
+    signal.SIGXCPU: N_("it used too much processor time"),
+    signal.SIGKILL: BY_THE_SYSTEM,
+}
 
 
 class Stopped(Exception):
@@ -17,4 +31,4 @@ class Stopped(Exception):
 
 def out_of_time() -> Stopped:
     """What is raised where a submission has used up the time that all of it may take."""
-    return Stopped("timeout", "the submission as a whole had used up its time")
+    return Stopped("timeout", N_("the submission as a whole had used up its time"))

@@ -10,7 +10,7 @@ from pathlib import Path
 from autograder.course import Course, load_course
 from autograder.errors import AutograderError, UsageError
 from autograder.kinds.registry import kind_of
-from autograder.language import _, follow_environment
+from autograder.language import N_, _, follow_environment
 from autograder.student import unsaved
 from autograder.student.course_path import course_of_notebook, put_course_first
 from autograder.student.desk import Desk
@@ -33,11 +33,11 @@ from autograder.student.views import (
 )
 
 MISSING: object = object()
-COLAB = (
+COLAB = N_(
     "Download it from the panel of files (the folder on the left) before you close the page: "
     "Colab forgets its files."
 )
-NO_COPY = (
+NO_COPY = N_(
     "Colab did not hand over your notebook, so the file lacks it. Run `submit()` again; if that "
     "does not help, hand in the notebook as well (File, Download, Download .ipynb)."
 )
@@ -201,7 +201,8 @@ def _check(id: str, response: object) -> object:
         chosen = desk.entry(question).get("response")
         return MarkView(question, desk.mark_choice(question, count=False), chosen)
     if response is MISSING:
-        raise UsageError(f'Give your response too: check("{id}", {question.name}).')
+        said = _("Give your response too: {call}.")
+        raise UsageError(said.format(call=f'check("{id}", {question.name})'))
     if desk.was_typed(question, response):
         response = ...  # the field gave it to the variable: the field still holds the answer
     mark = desk.mark_value(question, response)
@@ -242,7 +243,8 @@ def _predict(id: str, value: object) -> object:
         before = desk.prediction(prediction)
         standing = desk.predict(prediction, value)
         if before is not None and prediction.read(value) != standing:
-            print(f"You predicted {prediction.in_words(standing)} before; that stands.")
+            said = _("You predicted {value} before; that stands.")
+            print(said.format(value=prediction.in_words(standing)))
 
     def widget() -> Shown:
         from autograder.student.widgets.prediction import PredictionWidget
@@ -300,12 +302,13 @@ def _pack(desk: Desk, to: Path | None) -> SubmissionView:
     ]
     warning = ""
     if on_screen is None:
-        warning = NO_COPY if in_colab() else unsaved.unsaved_work(packed.folder)
-    advice, taken = COLAB if in_colab() else "", False
+        warning = _(NO_COPY) if in_colab() else unsaved.unsaved_work(packed.folder)
+    advice, taken = _(COLAB) if in_colab() else "", False
     if to is not None and warning:
-        advice = f"Nothing was put into {to}."
+        advice = _("Nothing was put into {folder}.").format(folder=to)
     elif to is not None:
-        advice = f"Handed in as {drop(packed.path, to)}; the newest counts."
+        put = drop(packed.path, to)
+        advice = _("Handed in as {path}; the newest counts.").format(path=put)
         taken = True
     nameless = ""
     if not desk.student and asks_for_a_name(packed.folder):

@@ -7,8 +7,9 @@ from pathlib import Path
 from autograder.course import find_course_root
 from autograder.course.own_code import put_first
 from autograder.errors import CourseError
+from autograder.language import N_, _
 
-OUTSIDE = (
+OUTSIDE = N_(
     "This notebook lies outside of its course, so its questions and data are missing. Move it into "
     "the folder notebooks of the course and open it there; or run `%env AUTOGRADER_COURSE=PATH`, "
     "with the path of the course's folder, as the first cell, after a restart of the kernel."
@@ -24,12 +25,13 @@ def course_of_notebook() -> Path:
     try:
         root = find_course_root().resolve()
     except CourseError:
-        raise CourseError(OUTSIDE) from None
+        raise CourseError(_(OUTSIDE)) from None
     if not root.is_dir():
-        raise CourseError(
-            f"AUTOGRADER_COURSE names {root}, which does not exist; "
+        said = _(
+            "AUTOGRADER_COURSE names {folder}, which does not exist; "
             "correct it with %env, or remove it and open the notebook in its course."
         )
+        raise CourseError(said.format(folder=root))
     return root
 
 

@@ -17,6 +17,7 @@ from pathlib import Path
 
 from autograder.errors import AutograderError
 from autograder.intake.drop_folder import name_in_files
+from autograder.language import _
 
 
 def drop(packed: Path, folder: Path) -> Path:
@@ -29,8 +30,10 @@ def drop(packed: Path, folder: Path) -> Path:
     """
     if not folder.is_dir():
         raise AutograderError(
-            f"{folder} is not a folder, so nothing was handed in; ask your instructor for the "
-            f"drop folder's path. Your work is packed in {packed}."
+            _(
+                "{folder} is not a folder, so nothing was handed in; ask your instructor for the "
+                "drop folder's path. Your work is packed in {packed}."
+            ).format(folder=folder, packed=packed)
         )
     stamp = datetime.now(UTC).strftime("%Y%m%dT%H%M%SZ")
     target = folder / f"{login()}_{stamp}_{secrets.token_hex(4)}.zip"
@@ -41,8 +44,10 @@ def drop(packed: Path, folder: Path) -> Path:
         os.rename(unfinished, target)
     except OSError as error:
         raise AutograderError(
-            f"{folder} did not take your work ({error.strerror or error}), so nothing was handed "
-            f"in; tell your instructor. It is packed in {packed}."
+            _(
+                "{folder} did not take your work ({reason}), so nothing was handed in; tell your "
+                "instructor. It is packed in {packed}."
+            ).format(folder=folder, reason=error.strerror or error, packed=packed)
         ) from None
     finally:
         with suppress(OSError):
@@ -87,20 +92,26 @@ def _keep_from_others(path: Path, folder: Path) -> None:
     group = path.stat().st_gid
     if group != here.st_gid:
         raise AutograderError(
-            f"{folder} does not pass its group on (its set-group-id bit is missing), so your "
-            "instructor could not read your work and nothing was handed in. Tell them to run "
-            f"`chmod 3773 {folder}`."
+            _(
+                "{folder} does not pass its group on (its set-group-id bit is missing), so your "
+                "instructor could not read your work and nothing was handed in. Tell them to run "
+                "{command}."
+            ).format(folder=folder, command=f"`chmod 3773 {folder}`")
         )
     mine = here.st_uid == os.getuid() or os.getuid() == 0
     if not mine and group in {*os.getgroups(), os.getgid()}:
         raise AutograderError(
-            f"You are in the group of {folder}, and so may be all students, who could read your "
-            "work there; nothing was handed in. Tell your instructor to give the folder to a "
-            "group without students."
+            _(
+                "You are in the group of {folder}, and so may be all students, who could read "
+                "your work there; nothing was handed in. Tell your instructor to give the folder "
+                "to a group without students."
+            ).format(folder=folder)
         )
     if not mine and here.st_mode & stat.S_IWOTH and not here.st_mode & stat.S_ISVTX:
         raise AutograderError(
-            f"In {folder} students could delete what others hand in (its sticky bit is missing), "
-            f"so nothing was handed in. Tell your instructor to run `chmod 3773 {folder}`."
+            _(
+                "In {folder} students could delete what others hand in (its sticky bit is "
+                "missing), so nothing was handed in. Tell your instructor to run {command}."
+            ).format(folder=folder, command=f"`chmod 3773 {folder}`")
         )
     os.chmod(path, 0o640)

@@ -14,6 +14,7 @@ from autograder.exchange import wire
 from autograder.exchange.identity import VARIANTS
 from autograder.exchange.messages import Message
 from autograder.kinds.mark import Mark
+from autograder.language import _
 from autograder.marking.snapshots import SNAPSHOTS, SnapshotMarker
 
 _client: MarkerClient | None = None
@@ -158,8 +159,10 @@ class MarkerClient:
             except (EOFError, OSError, wire.WireError):
                 self._end()
                 raise AutograderError(
-                    "Marking stopped unexpectedly; run the cell again. If that does not help, "
-                    "run `autograder check` in the course's folder."
+                    _(
+                        "Marking stopped unexpectedly; run the cell again. If that does not help, "
+                        "run `autograder check` in the course's folder."
+                    )
                 ) from None
             except BaseException:
                 # An interrupt in the middle of a message: the next one would read its rest.

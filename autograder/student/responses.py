@@ -13,6 +13,7 @@ from filelock import FileLock, Timeout
 
 from autograder.errors import AutograderError
 from autograder.exchange.responses import Entry
+from autograder.language import _, n_
 
 LOCK_SECONDS = 10.0
 
@@ -94,7 +95,9 @@ class Responses:
                 self._write(entries)
                 return entries[id]
         except (OSError, Timeout) as error:
-            raise ResponsesError(self._refusal(f"Your response to {id}", error)) from None
+            raise ResponsesError(
+                self._refusal(_("Your response to {question}").format(question=id), error)
+            ) from None
 
     def mend(self) -> str:
         """Put right a damaged or missing file as far as possible, and say what was done.
@@ -116,17 +119,23 @@ class Responses:
                 aside = self._set_aside() if self.path.exists() else None
                 self._write(rescued)
         except (OSError, Timeout) as error:
-            raise ResponsesError(self._refusal("The file of your responses", error)) from None
-        found = f"{len(rescued)} answer{'' if len(rescued) == 1 else 's'}"
+            raise ResponsesError(self._refusal(_("The file of your responses"), error)) from None
+        count = len(rescued)
         if aside is None:
-            return (
-                f"{self.path.name} was missing; {found} came back from what the notebook shows. "
-                "Look through them."
-            )
-        return (
-            f"{self.path.name} was damaged and is kept as {aside.name}; {found} came back from "
-            "what the notebook shows. Look through them, and answer again what is missing."
-        )
+            return n_(
+                "{file} was missing; {count} answer came back from what the notebook shows. "
+                "Look through them.",
+                "{file} was missing; {count} answers came back from what the notebook shows. "
+                "Look through them.",
+                count,
+            ).format(file=self.path.name, count=count)
+        return n_(
+            "{file} was damaged and is kept as {aside}; {count} answer came back from what the "
+            "notebook shows. Look through them, and answer again what is missing.",
+            "{file} was damaged and is kept as {aside}; {count} answers came back from what the "
+            "notebook shows. Look through them, and answer again what is missing.",
+            count,
+        ).format(file=self.path.name, aside=aside.name, count=count)
 
     def refusal(self) -> str:
         """Why nothing can be saved here, or an empty string where it can."""
@@ -134,14 +143,15 @@ class Responses:
             with self._lock(), tempfile.TemporaryFile(dir=self.path.parent):
                 return ""
         except (OSError, Timeout) as error:
-            return self._refusal("What you answer here", error)
+            return self._refusal(_("What you answer here"), error)
 
     def _refusal(self, what: str, error: Exception) -> str:
-        reason = getattr(error, "strerror", None) or "another program holds it"
-        return (
-            f"{what} was NOT saved: {self.path.parent} cannot be written ({reason}). "
+        reason = getattr(error, "strerror", None) or _("another program holds it")
+        said = _(
+            "{what} was NOT saved: {folder} cannot be written ({reason}). "
             "Move the course to a folder of your own and answer again."
         )
+        return said.format(what=what, folder=self.path.parent, reason=reason)
 
     def _is_sound(self) -> bool:
         return self.path.exists() and self._read() is not None

@@ -16,6 +16,7 @@ from autograder.course import Course
 from autograder.errors import AutograderError
 from autograder.exchange.identity import FILE
 from autograder.intake.notebook_reader import SUBMITTED, Unreadable, read_notebook
+from autograder.language import _
 
 _ASKS = re.compile(r"^me\(", re.MULTILINE)
 
@@ -44,7 +45,10 @@ def pack_submission(
     notebooks = sorted(path for path in folder.glob("*.ipynb") if _is_of_the_course(path, course))
     if not notebooks:
         raise AutograderError(
-            f"There is no chapter of the course in {folder}; run submit() in one of its notebooks."
+            _(
+                "There is no chapter of the course in {folder}; run submit() in one of its "
+                "notebooks."
+            ).format(folder=folder)
         )
     files: dict[str, Path | bytes] = {path.name: path for path in notebooks}
     if on_screen is not None:
@@ -69,8 +73,10 @@ def pack_submission(
         os.replace(unfinished, target)
     except OSError as error:
         raise AutograderError(
-            f"{target} could not be written ({error}); nothing was handed in. "
-            "Free the disk or move the course to a folder of your own, and submit again."
+            _(
+                "{file} could not be written ({reason}); nothing was handed in. "
+                "Free the disk or move the course to a folder of your own, and submit again."
+            ).format(file=target, reason=error)
         ) from None
     return Packed(target, tuple(files), folder)
 

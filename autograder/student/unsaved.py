@@ -19,9 +19,10 @@ from typing import Protocol
 from urllib.parse import unquote, urlsplit
 
 from autograder.exchange.building import BUILDING
+from autograder.language import N_, _
 from autograder.student.frontend import VSCODE_FILE, current_cell, deleted_cells, running_shell
 
-HOW = "Save the notebook (Ctrl+S, on a Mac ⌘S) and run `submit()` again"
+HOW = N_("Save the notebook (Ctrl+S, on a Mac ⌘S) and run `submit()` again")
 _VSCODE_CELL = "vscode-notebook-cell"
 # What a student runs to hand in; a cell with nothing else is no work.
 _HANDS_IN = re.compile(r"\s*((from|import) autograder\b.*|(\w+\.)?(submit|progress)\(.*\).*|#.*)?")
@@ -96,21 +97,22 @@ def unsaved_work(folder: Path) -> str:
     notebooks = [saved for path, version in _notebooks(folder) if (saved := _read(path, version))]
     running = _running(notebooks, runs)
     if running is None:
-        return (
+        return _(
             "Whether your notebook is saved cannot be seen from here: your editor does not say "
-            f"where it is. {HOW}, unless you have just saved it."
-        )
+            "where it is. {how}, unless you have just saved it."
+        ).format(how=_(HOW))
     since = [run for run in runs if run.saved.get(running.name, running.version) == running.version]
     if any(run.cell in running.by_id and running.by_id[run.cell] != run.source for run in since):
-        return f"{running.name} differs from what you ran last. {HOW}."
+        said = _("{file} differs from what you ran last. {how}.")
+        return said.format(file=running.name, how=_(HOW))
     lost = [run for run in since if not running.knows(run) and not hands_in(run.source)]
     if lost:
         line = lost[-1].source.splitlines()[0].replace("`", "'")
         line = line if len(line) <= 60 else line[:59] + "…"
-        return (
-            f"{running.name} is saved without code that you ran, such as `{line}`. {HOW}, unless "
-            "you have taken it out."
-        )
+        return _(
+            "{file} is saved without code that you ran, such as `{line}`. {how}, unless you have "
+            "taken it out."
+        ).format(file=running.name, line=line, how=_(HOW))
     return ""
 
 

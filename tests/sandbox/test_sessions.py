@@ -139,7 +139,10 @@ def test_a_crash_in_one_function_costs_that_question_and_is_named(session):
             "crash",
             {"inside": "autograder.kinds.function.inside.evaluate", "cases": [{"args": []}]},
         )
-    assert (stopped.value.status, stopped.value.why) == ("killed", "it crashed (SIGSEGV)")
+    assert (stopped.value.status, stopped.value.why) == (
+        "killed",
+        "it crashed (segmentation fault)",
+    )
     assert session.evaluate("k", NUMBER) == {"state": "given", "value": 74}
 
 

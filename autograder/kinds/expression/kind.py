@@ -25,6 +25,7 @@ from autograder.kinds.expression.trial import ExpressionTrial
 from autograder.kinds.formula import evaluate_formula
 from autograder.kinds.mark import Mark
 from autograder.kinds.typed import assign_if_open
+from autograder.language import _
 from autograder.marking.mutants.mutant import Trial
 
 if TYPE_CHECKING:
@@ -94,7 +95,8 @@ class ExpressionKind(CodeKind[Expression, ExpressionAnswer]):
     def why_unusable(self, question: Expression, reason: str) -> str:
         why = super().why_unusable(question, reason)
         if reason == "symbol unknown":
-            why += " (declared are " + ", ".join(name for name in question.symbols) + ")"
+            declared = _("(declared are {symbols})").format(symbols=", ".join(question.symbols))
+            why += f" {declared}"
         return why
 
     def lines(self, question: Expression, response: object) -> list[str]:

@@ -15,6 +15,7 @@ from autograder.kinds.expression.question import Expression
 from autograder.kinds.formula import evaluate_formula
 from autograder.kinds.mark import Mark
 from autograder.kinds.snapshot import LATER, wrong
+from autograder.language import _
 from autograder.marking.diagnosis.relations import RELATIONS, Diagnosis
 
 _POINTS = 12
@@ -62,28 +63,41 @@ def mark_snapshot(question: Expression, snapshot: Message, values: object) -> Ma
     points = snapshot["points"]
     count = len(next(iter(points.values())))
     if not (isinstance(values, np.ndarray) and values.shape == (count,)):
-        return wrong(question, f"{question.name} has no numeric values.")
+        return wrong(question, _("{name} has no numeric values.").format(name=question.name))
     for accepted in snapshot["accepted"]:
         if same_values(accepted["values"], values, accepted["modulo"]):
-            feedback = f"Right at the {count} points of this check. {LATER}"
+            feedback = _("Right at the {count} points of this check.").format(count=count)
+            feedback += f" {_(LATER)}"
             return Mark(question.id, "right", 1.0, question.points, feedback)
     accepted = snapshot["accepted"][0]
     expected, modulo = accepted["values"], accepted["modulo"]
     if snapshot["free_of"] and not nearly_equal(values[: count // 2], values[count // 2 :]):
         symbols = ", ".join(snapshot["free_of"])
-        said = snapshot["free_of_feedback"] or f"It still depends on {symbols}."
+        said = snapshot["free_of_feedback"] or _("It still depends on {symbols}.").format(
+            symbols=symbols
+        )
         return replace(wrong(question, said), alternative=f"depends on {symbols}")
     known = np.flatnonzero(np.isfinite(expected))
     equal = [bool(same_values(expected[[i]], values[[i]], modulo)) for i in known]
     at = known[equal.index(False)] if False in equal else known[0]
     where = ", ".join(f"{name} = {value[at]:.4g}" for name, value in points.items())
-    said = (
-        f"Not equal yet. At {where} it is {_number(values[at])}; "
-        f"expected is {_number(expected[at])}"
-        + (f", or that plus a multiple of {accepted['period']}." if modulo else ".")
+    differs = (
+        _(
+            "Not equal yet. At {where} it is {value}; expected is {right}, or that plus a "
+            "multiple of {period}."
+        )
+        if modulo
+        else _("Not equal yet. At {where} it is {value}; expected is {right}.")
+    )
+    said = differs.format(
+        where=where,
+        value=_number(values[at]),
+        right=_number(expected[at]),
+        period=accepted["period"],
     )
     if any(equal):
-        said += f" It is right at {sum(equal)} of the {len(known)} points of this check."
+        right = _("It is right at {count} of the {all} points of this check.")
+        said += " " + right.format(count=sum(equal), all=len(known))
     for entry in snapshot["named"]:
         if same_values(entry["values"], values, entry["modulo"]):
             mark = wrong(question, f"{entry['feedback']} {said}")

@@ -10,6 +10,7 @@ import numpy as np
 from autograder.exchange.messages import Values
 from autograder.exchange.reasons import REASONS
 from autograder.kinds.function.question import Function
+from autograder.language import _
 
 _SHORT = 160  # characters of an input or a value that a hint may show
 _MOST = 3  # cases that are shown, each of another kind of input
@@ -36,20 +37,26 @@ def hint(question: Function, case: Values, expected: Mapping[str, object], outco
     arguments += [f"{name}={_shown(value)}" for name, value in case.get("kwargs", {}).items()]
     call = f"{question.name}({', '.join(arguments)})"
     if len(call) > _SHORT:
-        call = f"For {case['name']}, {question.name}"
+        call = _("For {case}, {function}").format(case=case["name"], function=question.name)
+    fields: dict[str, object] = {}
     right = _shown(expected["value"]) if "value" in expected else _an(f"{expected.get('raised')}")
     if isinstance(outcome, dict) and "raised" in outcome:
-        return f"{call} raises {outcome['raised']}; expected is {right}."
-    if not (isinstance(outcome, dict) and "value" in outcome):
+        gave = _("{call} raises {error}; expected is {right}.")
+        fields["error"] = outcome["raised"]
+    elif not (isinstance(outcome, dict) and "value" in outcome):
         reason = str(outcome.get("unusable")) if isinstance(outcome, dict) else ""
-        why = REASONS.get(reason, REASONS["not plain"])
-        return f"{call} cannot be used: {why}; expected is {right}."
-    gave = f"{call} gives {_shown(outcome['value'])}"
-    if "value" in expected and (asked := _other_draws(case, outcome)):
-        return f"{gave} and draws {outcome['drawn']} random numbers; expected is {asked}."
-    if "changed" in outcome and "changed" not in expected:
-        gave += " and changes its input"
-    return f"{gave}; expected is {right}."
+        gave = _("{call} cannot be used: {why}; expected is {right}.")
+        fields["why"] = _(REASONS.get(reason, REASONS["not plain"]))
+    else:
+        gave = _("{call} gives {value}; expected is {right}.")
+        fields["value"] = _shown(outcome["value"])
+        # Where the value is as it should be, something else is not.
+        if "value" in expected and (asked := _other_draws(case, outcome)):
+            gave = _("{call} gives {value} and draws {count} random numbers; expected is {right}.")
+            fields["count"], right = outcome["drawn"], asked
+        elif "changed" in outcome and "changed" not in expected:
+            gave = _("{call} gives {value} and changes its input; expected is {right}.")
+    return gave.format(call=call, right=right, **fields)
 
 
 def _other_draws(case: Values, outcome: Mapping[str, object]) -> str:
@@ -60,7 +67,9 @@ def _other_draws(case: Values, outcome: Mapping[str, object]) -> str:
     low, high = case["draws"]
     if low <= drawn <= high:
         return ""
-    return f"{low} or more" if math.isinf(high) else f"at least {low} and at most {high}"
+    if math.isinf(high):
+        return _("{low} or more").format(low=low)
+    return _("at least {low} and at most {high}").format(low=low, high=high)
 
 
 def _entry(value: object) -> str:
@@ -74,7 +83,8 @@ def _entry(value: object) -> str:
 
 
 def _an(error: str) -> str:
-    return f"an {error}" if error[:1] in "AEIOU" else f"a {error}"
+    said = _("an {error}") if error[:1] in "AEIOU" else _("a {error}")
+    return said.format(error=error)
 
 
 def _shown(value: object) -> str:

@@ -25,6 +25,7 @@ from autograder.kinds.function.take_snapshot import take_snapshot
 from autograder.kinds.function.trial import FunctionTrial
 from autograder.kinds.mark import Mark
 from autograder.kinds.reading import Reading
+from autograder.language import N_
 from autograder.marking.mutants.mutant import Trial
 
 if TYPE_CHECKING:
@@ -36,7 +37,7 @@ class FunctionKind(CodeKind[Function, FunctionAnswer]):
     """A function to write; what is ``expected`` is what is `Expected` of it."""
 
     name = "function"
-    parts_heading = "Kinds of input"
+    parts_heading = N_("Kinds of input")
     fewest_variants = 4
     can_be_read = True
     hints_in_heading = True

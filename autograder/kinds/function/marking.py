@@ -328,7 +328,7 @@ def _what_happened(outcomes: Sequence[object], indices: Sequence[int]) -> str:
         if isinstance(outcome, dict) and "unusable" in outcome:
             reason = outcome["unusable"]
             known = isinstance(reason, str) and reason in REASONS
-            return f" ({REASONS[reason if known else 'not plain']})"
+            return f" ({_(REASONS[reason if known else 'not plain'])})"
         if isinstance(outcome, dict) and "changed" in outcome:
             return f" ({_('it changes its input in place; work on a copy')})"
     return ""

@@ -14,6 +14,7 @@ from autograder.kinds.function.question import Function
 from autograder.kinds.function.relaxed import is_far
 from autograder.kinds.mark import Mark, Part, stopped
 from autograder.kinds.snapshot import LATER
+from autograder.language import _, n_
 from autograder.marking.diagnosis.relations import Diagnosis
 
 
@@ -35,8 +36,12 @@ def mark_snapshot(question: Function, snapshot: dict[str, Value], outcomes: list
         for kind in kinds
     )
     if all(verdicts):
-        examples = f"the {len(cases)} examples" if len(cases) > 1 else "the example"
-        feedback = f"Right on {examples} of this check. {LATER}"
+        feedback = n_(
+            "Right on the example of this check.",
+            "Right on the {count} examples of this check.",
+            len(cases),
+        ).format(count=len(cases))
+        feedback += f" {_(LATER)}"
         return Mark(question.id, "right", 1.0, question.points, feedback, parts=parts)
     failing = ", ".join(part.label for part in parts if not part.right)
     right = [case["expected"] for case in cases]
@@ -44,16 +49,18 @@ def mark_snapshot(question: Function, snapshot: dict[str, Value], outcomes: list
     example = hints(question, cases, right, outcomes, wrong)
     known = _known_mistake(cases, outcomes, verdicts, snapshot["named"])
     if known is not None:
-        feedback = f"{known['feedback']} Not yet right for: {failing}. {example}"
+        feedback = _("Not yet right for: {failing}.").format(failing=failing) + f" {example}"
+        feedback = f"{known['feedback']} {feedback}"
         return Mark(
             question.id, "wrong", 0.0, question.points, feedback, known["name"], parts=parts
         )
     if snapshot["forgiving"] and not any(_is_wrong(cases[i], outcomes[i]) for i in wrong):
         feedback = (
-            f"Recorded. It differs from one right result, and may be right all the same. {example}"
+            _("Recorded. It differs from one right result, and may be right all the same.")
+            + f" {example}"
         )
         return stopped(question, "recorded", feedback)
-    feedback = f"Not yet right for: {failing}. {example}"
+    feedback = _("Not yet right for: {failing}.").format(failing=failing) + f" {example}"
     found = _diagnosis(cases, outcomes, verdicts)
     name = found.name if found else None
     if found:

@@ -8,6 +8,7 @@ from collections.abc import Callable, Mapping
 from autograder.errors import UsageError
 from autograder.kinds.formula import Term
 from autograder.kinds.typed import parse, value_of
+from autograder.language import _
 
 MAX_COUNT = 100_000
 _OF_MATH = (
@@ -37,16 +38,17 @@ def read_number(text: str, variables: Mapping[str, object]) -> int | float:
         value = variables.get(id)
         if isinstance(value, int | float) and not isinstance(value, bool):
             return value
-        raise UsageError(f"{id} is not a number here.")
+        raise UsageError(_("{name} is not a number here.").format(name=id))
 
     try:
         value = value_of(tree, name, functions)
     except (ArithmeticError, ValueError, TypeError) as error:
-        raise UsageError(f"This has no value: {str(error).rstrip('.')}.") from None
+        said = _("This has no value: {reason}.").format(reason=str(error).rstrip("."))
+        raise UsageError(said) from None
     if isinstance(value, bool | complex) or not isinstance(value, int | float):
-        raise UsageError("This is not a number.")
+        raise UsageError(_("This is not a number."))
     if (isinstance(value, int) and value.bit_length() > 1000) or not math.isfinite(value):
-        raise UsageError("This is not a finite number.")
+        raise UsageError(_("This is not a finite number."))
     return value
 
 
@@ -55,7 +57,7 @@ def _count(function: Callable[[int, int], int]) -> Callable[[object, object], in
 
     def counted(n: Term, k: Term) -> int:
         if max(n, k) > MAX_COUNT:
-            raise UsageError("Those numbers are too large to count with.")
+            raise UsageError(_("Those numbers are too large to count with."))
         return function(n, k)
 
     return counted

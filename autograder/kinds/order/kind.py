@@ -12,6 +12,7 @@ from autograder.kinds.order import response as given
 from autograder.kinds.order.answer import OrderAnswer, check_order
 from autograder.kinds.order.marking import is_right, mark_order, transitive_closure
 from autograder.kinds.order.question import Order
+from autograder.language import N_
 
 if TYPE_CHECKING:
     from autograder.kinds.order.widget import OrderWidget
@@ -22,7 +23,7 @@ class OrderKind(ChoiceKind[Order, OrderAnswer]):
     """Cards to put in order."""
 
     name = "order"
-    parts_heading = "Cards"
+    parts_heading = N_("Cards")
     drawn_fields = ("cards", "")
     question_type = Order
     answer_type = OrderAnswer

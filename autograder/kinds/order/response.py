@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from autograder.errors import UsageError
 from autograder.kinds.order.question import Order
+from autograder.language import _
 
 
 def chosen(question: Order, response: object) -> list[str] | None:
@@ -34,8 +35,10 @@ def read_response(question: Order, response: object) -> list[str]:
     cards = chosen(question, response)
     if cards is None:
         raise UsageError(
-            f"{question.id} has {len(question.cards)} cards: respond with a list that names each "
-            "card once, by the number or the id shown beside it. Nothing was changed."
+            _(
+                "{question} has {count} cards: respond with a list that names each card once, by "
+                "the number or the id shown beside it. Nothing was changed."
+            ).format(question=question.id, count=len(question.cards))
         )
     return cards
 
@@ -49,11 +52,11 @@ def lines(question: Order, response: list[str] | None) -> list[str]:
     """The cards and the order so far, as Markdown."""
     cards = [f"{n}. {card.text} (`{card.id}`)" for n, card in enumerate(question.cards, 1)]
     if response:
-        cards += ["", "Your order: " + in_words(question, response)]
+        cards += ["", _("Your order: {order}").format(order=in_words(question, response))]
     return [
         *cards,
         "",
-        "Answer with a line of code: put the cards' numbers in the order you want.",
+        _("Answer with a line of code: put the cards' numbers in the order you want."),
         "",
         f"`{respond_line(question, response)}`",
     ]

@@ -38,12 +38,15 @@ class TextKind(ChoiceKind[Text, TextAnswer]):
 
     def read_response(self, question: Text, response: object) -> object:
         if not isinstance(response, str):
-            raise UsageError(f"{question.id} asks for words: respond with a text in quotes.")
+            said = _("{question} asks for words: respond with a text in quotes.")
+            raise UsageError(said.format(question=question.id))
         response = "".join(c if c >= " " or c in "\n\t" else " " for c in response)
         if len(response) > question.longest:
             raise UsageError(
-                f"That has {len(response)} characters, and {question.id} takes {question.longest}; "
-                "shorten it. Nothing was changed."
+                _(
+                    "That has {count} characters, and {question} takes {most}; shorten it. "
+                    "Nothing was changed."
+                ).format(count=len(response), question=question.id, most=question.longest)
             )
         return response
 
@@ -68,7 +71,13 @@ class TextKind(ChoiceKind[Text, TextAnswer]):
 
     def lines(self, question: Text, response: object) -> list[str]:
         kept = [f"> {line}" for line in str(response).splitlines()] if response else []
-        return [*kept, "", f"Answer with a line of code: `{self.respond_line(question, None)}`"]
+        return [
+            *kept,
+            "",
+            _("Answer with a line of code: {call}").format(
+                call=f"`{self.respond_line(question, None)}`"
+            ),
+        ]
 
     def respond_line(self, question: Text, response: object) -> str:
         return f'ask("{question.id}").respond("""...""")'

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from autograder.errors import UsageError
 from autograder.kinds.true_false.question import TrueFalse
+from autograder.language import _, n_
 
 
 def chosen(question: TrueFalse, response: object) -> list[bool | None] | None:
@@ -30,22 +31,27 @@ def read_response(question: TrueFalse, response: object) -> list[bool | None]:
     if choices is None:
         count = len(question.statements)
         raise UsageError(
-            f"{question.id} has {count} statements: respond with a list of {count} True or "
-            "False (None leaves one open). Nothing was changed."
+            n_(
+                "{question} has {count} statement: respond with a list of {count} True or False "
+                "(None leaves one open). Nothing was changed.",
+                "{question} has {count} statements: respond with a list of {count} True or False "
+                "(None leaves one open). Nothing was changed.",
+                count,
+            ).format(question=question.id, count=count)
         )
     return choices
 
 
 def in_words(response: list[bool | None]) -> str:
     """A kept response in one line."""
-    words = {True: "true", False: "false", None: "open"}
+    words = {True: _("true"), False: _("false"), None: _("open")}
     return " · ".join(f"{n} {words[said]}" for n, said in enumerate(response, 1))
 
 
 def lines(question: TrueFalse, response: list[bool | None] | None) -> list[str]:
     """The statements and what was called true or false so far, as Markdown."""
     choices = response or [None] * len(question.statements)
-    words = {True: " → **true**", False: " → **false**", None: ""}
+    words = {True: f" → **{_('true')}**", False: f" → **{_('false')}**", None: ""}
     return [
         *(
             f"{n}. {statement}{words[choice]}"
@@ -54,7 +60,10 @@ def lines(question: TrueFalse, response: list[bool | None] | None) -> list[str]:
             )
         ),
         "",
-        "Answer with a line of code: put `True` or `False` for each `None` that you have decided.",
+        _(
+            "Answer with a line of code: put `True` or `False` for each `None` that you have "
+            "decided."
+        ),
         "",
         f"`{respond_line(question, response)}`",
     ]

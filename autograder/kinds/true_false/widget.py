@@ -6,6 +6,7 @@ from pathlib import Path
 
 from autograder.errors import UsageError
 from autograder.kinds.true_false.question import TrueFalse
+from autograder.language import _
 from autograder.reports.markdown import inline
 from autograder.student.widgets.base import source
 from autograder.student.widgets.choice import ChoiceWidget
@@ -29,7 +30,8 @@ class TrueFalseWidget(ChoiceWidget):
         at, said = message["statement"], message["said"]
         count = len(self.question.statements)
         if not (isinstance(at, int) and 0 <= at < count and isinstance(said, bool)):
-            raise UsageError(f"{self.question.id} has no such statement; run the cell again.")
+            refusal = _("{question} has no such statement; run the cell again.")
+            raise UsageError(refusal.format(question=self.question.id))
 
         def chosen(response: object) -> list[bool | None]:
             now = list(response) if isinstance(response, list) else [None] * count

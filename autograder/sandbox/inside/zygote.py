@@ -43,19 +43,10 @@ from autograder.sandbox.inside.warm import warm
 from autograder.sandbox.own_time import OwnTime
 from autograder.sandbox.processes import Usage, descendants, end_all_others, tasks_of
 from autograder.sandbox.removal import empty
-from autograder.sandbox.stopped import BY_THE_SYSTEM
+from autograder.sandbox.stopped import BY_SIGNAL
 
 _CONFINED = b"confined"
 _TICK = 0.05  # seconds between two looks at what the child uses
-_SIGNALS = {
-    signal.SIGSEGV: "it crashed (segmentation fault)",
-    signal.SIGBUS: "it crashed (bus error)",
-    signal.SIGFPE: "it crashed (arithmetic error)",
-    signal.SIGILL: "it crashed (illegal instruction)",
-    signal.SIGABRT: "it aborted",
-    signal.SIGXCPU: "it used too much processor time",
-    signal.SIGKILL: BY_THE_SYSTEM,
-}
 
 
 @dataclass(frozen=True)
@@ -295,7 +286,7 @@ class Zygote:
 def _why(status: int) -> str:
     if os.WIFSIGNALED(status):
         number = os.WTERMSIG(status)
-        return _SIGNALS.get(signal.Signals(number), f"it ended by signal {number}")
+        return BY_SIGNAL.get(signal.Signals(number), f"it ended by signal {number}")
     return "it ended its own process"
 
 

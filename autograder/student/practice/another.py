@@ -8,6 +8,7 @@ from collections.abc import Callable
 from autograder.course.questions import Question
 from autograder.errors import UsageError
 from autograder.kinds.registry import kind_of
+from autograder.language import _
 from autograder.student.desk import Desk
 from autograder.student.marker_client import key_marker
 from autograder.student.practice.desk import MOST_TRIED, PracticeDesk, can_be_read, has_variants
@@ -35,7 +36,8 @@ def another_one(
     """
     client = key_marker(desk.course, question.id)
     if client is None:
-        raise UsageError(f"{question.id} cannot be practised here: its key is not at hand.")
+        said = _("{question} cannot be practised here: its key is not at hand.")
+        raise UsageError(said.format(question=question.id))
     if can_be_read(desk, question):
         from autograder.student.widgets.reading import ReadingWidget
 
@@ -54,7 +56,7 @@ def _fresh(desk: Desk, id: str, unlike: int) -> int:
     assert written.variables is not None
     asked = [written.question(n) for n in (desk.course.variants.get(id, 0), unlike) if n >= 0]
     variant = 0
-    for _ in range(MOST_TRIED):
+    for _try in range(MOST_TRIED):
         variant = secrets.randbelow(written.variables.count)
         if written.question(variant) not in asked:
             break

@@ -11,10 +11,12 @@ from autograder.course.questions import Question
 from autograder.exchange.responses import Entry
 from autograder.kinds.mark import Mark
 from autograder.kinds.registry import kind_of
+from autograder.language import N_, _
 from autograder.student.desk import Desk
 from autograder.student.marker_client import MarkerClient, VariantMarker, key_marker
 from autograder.student.responses import Responses
 
+PRACTICE = N_("Practice: as often as you like, and without points.")
 MOST_TRIED = 100  # variants, until one is found that asks in other words
 
 
@@ -47,7 +49,7 @@ class PracticeDesk(Desk):
         return _InMemory(self)
 
     def whose(self, question: Question) -> str:
-        return "Practice: as often as you like, and without points."
+        return _(PRACTICE)
 
     def marker(self) -> VariantMarker:
         return self._marker

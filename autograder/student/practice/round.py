@@ -12,6 +12,7 @@ from autograder.course.questions import Question
 from autograder.errors import UsageError
 from autograder.exchange.responses import Entry
 from autograder.kinds.registry import kind_of
+from autograder.language import _, n_
 from autograder.student.desk import Desk
 from autograder.student.marker_client import key_marker
 from autograder.student.practice.another import another_one
@@ -108,8 +109,10 @@ class Practice:
             self.last = id
             return self.widget
         raise UsageError(
-            "There is nothing to practise here. Where the answers are not at hand, only their "
-            "instructor can mark them."
+            _(
+                "There is nothing to practise here. Where the answers are not at hand, only their "
+                "instructor can mark them."
+            )
         )
 
     def end_question(self) -> None:
@@ -140,6 +143,10 @@ class Practice:
 def summary(placed: list[Placed]) -> str:
     """How much is known, in words."""
     if not placed:
-        return "There is nothing to practise here, since the answers are not at hand."
+        return _("There is nothing to practise here, since the answers are not at hand.")
     known = sum(entry.card.box >= KNOWN for entry in placed)
-    return f"You know {known} of {len(placed)} questions, those in boxes {KNOWN} and {BOXES}."
+    return n_(
+        "You know {known} of {count} question, those in boxes {first} and {last}.",
+        "You know {known} of {count} questions, those in boxes {first} and {last}.",
+        len(placed),
+    ).format(known=known, count=len(placed), first=KNOWN, last=BOXES)

@@ -111,7 +111,9 @@ class CourseWidget(anywidget.AnyWidget):
         except Exception as error:
             reply |= {
                 "ok": False,
-                "said": f"This did not work ({type(error).__name__}); run the cell again.",
+                "said": _("This did not work ({error}); run the cell again.").format(
+                    error=type(error).__name__
+                ),
             }
         self.state = self.what_is_kept()
         self.send(reply)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from autograder.language import _
 from autograder.student.identity import become, student_of, warning
 from autograder.student.widgets.base import CourseWidget, source
 
@@ -16,7 +17,7 @@ class IdentityWidget(CourseWidget):
     _css = source("common.css", "value.css")
 
     def what_is_fixed(self) -> dict[str, object]:
-        return {"label": "Who you are", "personal": self.desk.course.personal}
+        return {"label": _("Who you are"), "personal": self.desk.course.personal}
 
     def what_is_kept(self) -> dict[str, object]:
         return {"name": student_of(self.desk.course)}

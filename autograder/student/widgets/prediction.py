@@ -6,6 +6,7 @@ from autograder.course.predictions import Prediction
 from autograder.errors import UsageError
 from autograder.exchange.messages import Message
 from autograder.kinds.typed import parse, value_of
+from autograder.language import _
 from autograder.reports.markdown import inline, markdown
 from autograder.student.desk import Desk
 from autograder.student.widgets.base import CourseWidget, receipt_output, source
@@ -25,7 +26,7 @@ class PredictionWidget(CourseWidget):
     def what_is_fixed(self) -> dict[str, object]:
         prediction = self.prediction
         return {
-            "label": f"{prediction.id} · Predict",
+            "label": f"{prediction.id} · {_('Predict')}",
             "prompt": markdown(prediction.prompt),
             "choices": [inline(choice) for choice in prediction.choices],
             "unit": prediction.unit,
@@ -37,8 +38,10 @@ class PredictionWidget(CourseWidget):
 
     def receipt(self) -> dict[str, object] | None:
         value = self.desk.prediction(self.prediction)
-        said = "nothing yet." if value is None else self.prediction.in_words(value)
-        words = f"Predicted for {self.prediction.id}: {said}"
+        said = _("nothing yet.") if value is None else self.prediction.in_words(value)
+        words = _("Predicted for {prediction}: {said}").format(
+            prediction=self.prediction.id, said=said
+        )
         return receipt_output(words, self.prediction.id, value)
 
     def do_choose(self, message: Message) -> dict[str, object]:
@@ -62,10 +65,11 @@ def _number(text: str) -> int | float | str:
     """
 
     def no_name(name: str) -> object:
-        raise UsageError(f"{name} is not a number here.")
+        raise UsageError(_("{name} is not a number here.").format(name=name))
 
     try:
         number: int | float | str = value_of(parse(text.strip().removesuffix("%")), no_name, {})
         return number
     except (ArithmeticError, ValueError, TypeError) as error:
-        raise UsageError(f"This has no value: {str(error).rstrip('.')}.") from None
+        said = _("This has no value: {reason}.").format(reason=str(error).rstrip("."))
+        raise UsageError(said) from None

@@ -6,9 +6,11 @@ from collections.abc import Callable
 
 from autograder.course.questions import Question
 from autograder.errors import UsageError
+from autograder.language import _
 from autograder.reports.markdown import inline
 from autograder.student.desk import Desk
 from autograder.student.marker_client import MarkerClient
+from autograder.student.practice.desk import PRACTICE
 from autograder.student.widgets.base import CourseWidget, source
 
 
@@ -35,9 +37,11 @@ class ReadingWidget(CourseWidget):
     def what_is_fixed(self) -> dict[str, object]:
         return {
             **self._shown,
-            "label": f"{self.question.id} · Read: {self.question.title}",
+            "label": _("{question} · Read: {title}").format(
+                question=self.question.id, title=self.question.title
+            ),
             "function": self.question.name,
-            "foot": "Practice: as often as you like, and without points.",
+            "foot": _(PRACTICE),
         }
 
     def what_is_kept(self) -> dict[str, object]:
@@ -47,7 +51,7 @@ class ReadingWidget(CourseWidget):
         """Mark both answers at once; they are given once, since the verdict tells the truth."""
         chosen, returned = message["chosen"], message["returned"]
         if not (isinstance(chosen, int) and isinstance(returned, int)):
-            raise UsageError("Answer both parts.")
+            raise UsageError(_("Answer both parts."))
         if not self._verdict:
             verdict = self._client.mark_reading(self.question.id, self._seed, chosen, returned)
             self._verdict = {**verdict, "said": inline(str(verdict["said"]))}
