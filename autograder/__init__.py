@@ -1,9 +1,9 @@
 """Questions in a notebook, marked outside of it: what a notebook imports.
 
-``ask`` shows a question, ``check`` marks a response, ``predict`` keeps a prediction, which
-``predicted`` gives to a picture; ``progress`` sums up, ``submit`` packs what is handed in. Where
-students have numbers of their own, ``me`` says whose they are, and ``numbers`` gives them.
-``practise`` asks for more of the same.
+``ask`` shows a question, ``hint`` a hint, ``check`` marks a response, ``predict`` keeps a
+prediction, which ``predicted`` gives to a picture; ``progress`` sums up, ``submit`` packs what is
+handed in. Where students have numbers of their own, ``me`` says whose they are, and ``numbers``
+gives them. ``practise`` asks for more of the same.
 """
 
 from typing import TYPE_CHECKING
@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from autograder.student.api import (
         ask,
         check,
+        hint,
         me,
         numbers,
         practise,
@@ -25,6 +26,7 @@ __version__ = "0.1.0"
 __all__ = [
     "ask",
     "check",
+    "hint",
     "me",
     "numbers",
     "practise",

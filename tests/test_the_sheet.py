@@ -339,9 +339,9 @@ WRONG_EXPRESSIONS: dict[str, list[tuple[sp.Expr, str]]] = {
         (2 * (S_yy - S_xx) * sp.cos(2 * alpha), "S_xy is missing"),
     ],
     "Q2.2f2": [
-        (sp.atan(RATIO) / 2, "maximum"),
+        (sp.atan(RATIO) / 2, "this is the hill"),
         (sp.atan(RATIO) / 2 + sp.pi / 2, "Add it only where"),
-        (sp.atan2(2 * S_xy, S_xx - S_yy) / 2, "maximum for every set"),
+        (sp.atan2(2 * S_xy, S_xx - S_yy) / 2, "on the hill, for every set"),
         (sp.atan2(-2 * S_xy, S_yy - S_xx), "Halve"),
         (sp.atan2(2 * S_xy, S_yy - S_xx) / 2, "leans the wrong way"),
         (sp.atan2(S_yy - S_xx, -2 * S_xy) / 2, "sine first"),

@@ -169,6 +169,8 @@ def _heading_without_numbers(course: Course, question: Question) -> str:
 
 def _start(master: Master) -> str:
     names = ["ask", "check", "progress", "submit"]
+    if any(cell.exercise for cell in master.cells):
+        names.append("hint")
     if master.predictions:
         names[2:2] = ["predict", "predicted"]
     names += [name for name in ("me", "numbers", "practise") if name in master.calls]

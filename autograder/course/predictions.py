@@ -40,6 +40,7 @@ class Prediction(Written, frozen=True, kw_only=True):
     ] = None
     integer: bool = False
     unit: str = ""
+    unit_of_one: Annotated[str, Meta(description="the unit after 1, if it differs")] = ""
     story: Annotated[str, Meta(description="the story whose numbers its prompt holds")] = ""
 
     def __post_init__(self) -> None:
@@ -48,7 +49,7 @@ class Prediction(Written, frozen=True, kw_only=True):
             raise ValueError("say either choices = [...] or between = [least, largest]")
         if self.choices and (len(self.choices) < 2 or len(set(self.choices)) < len(self.choices)):
             raise ValueError("give two different choices or more")
-        if self.choices and (self.unit or self.integer):
+        if self.choices and (self.unit or self.unit_of_one or self.integer):
             raise ValueError("a choice has no unit and is no integer; remove them")
         if self.between is not None and not self.between[0] < self.between[1]:
             raise ValueError("the first number of between must be below the second")
@@ -92,12 +93,12 @@ class Prediction(Written, frozen=True, kw_only=True):
             else _("Give a number from {low} to {high}.")
         )
         low, high = (f"{bound:,.{MOST_DIGITS}g}" for bound in self.between)
-        raise UsageError(said.format(low=low, high=f"{high}{self._unit}"))
+        raise UsageError(said.format(low=low, high=f"{high}{self._unit(self.between[1])}"))
 
     def in_words(self, value: Guess) -> str:
         """A kept prediction for people to read."""
-        return value if isinstance(value, str) else f"{value:.{MOST_DIGITS}g}{self._unit}"
+        return value if isinstance(value, str) else f"{value:.{MOST_DIGITS}g}{self._unit(value)}"
 
-    @property
-    def _unit(self) -> str:
-        return f" {self.unit}" if self.unit else ""
+    def _unit(self, value: float) -> str:
+        unit = self.unit_of_one if value == 1 and self.unit_of_one else self.unit
+        return f" {unit}" if unit else ""

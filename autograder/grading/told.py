@@ -6,6 +6,7 @@ import re
 from collections.abc import Sequence
 
 from autograder.exchange.messages import Told
+from autograder.exchange.told import missing_module
 from autograder.language import _
 
 LONGEST_CODE = 6000  # characters of a cell that the page of feedback shows
@@ -27,26 +28,6 @@ def shown_code(cell: str) -> str:
     """A cell for the page of feedback, cut where it gets too long."""
     code = cell.strip("\n")
     return code if len(code) <= LONGEST_CODE else code[:LONGEST_CODE] + "\n…"
-
-
-def in_words(told: Told | None) -> str:
-    """``ValueError: no points, at line 3: total = 1 / len(points)``."""
-    if not told:
-        return ""
-    said = f"{told['kind']}: {told['message']}" if told["message"] else str(told["kind"])
-    if told["module"]:
-        said = missing_module(told)
-    if told["line"]:
-        at = _("{error}, at line {line} of the cell")
-        said = at.format(error=said, line=told["line"])
-        said += f": {told['source']}" if told["source"] else ""
-    return said
-
-
-def missing_module(told: Told) -> str:
-    """That a module is not there."""
-    said = _("{module} is not installed where this is marked")
-    return said.format(module=told["module"])
 
 
 def import_notes(chapter: str, told: Sequence[Told | None]) -> list[str]:

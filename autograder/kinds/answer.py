@@ -17,6 +17,11 @@ class Alternative(Written, frozen=True, kw_only=True):
     feedback: str = ""
 
     @property
+    def in_bundle(self) -> bool:
+        """Whether a student bundle names it, with its feedback."""
+        return bool(getattr(self, "public", False))
+
+    @property
     def is_mistake(self) -> bool:
         """Whether the response is wrong, or not quite right, in a known way."""
         return self.credit < 1
@@ -25,6 +30,16 @@ class Alternative(Written, frozen=True, kw_only=True):
         super().__post_init__()
         if self.is_mistake and not self.feedback:
             raise ValueError(f"the mistake {self.name!r} has no feedback")
+
+
+def check_public(alternative: Alternative) -> None:
+    """Whether an alternative may be named in a student bundle.
+
+    Raises:
+        ValueError: if it is right: that is the answer.
+    """
+    if alternative.in_bundle and not alternative.is_mistake:
+        raise ValueError(f"{alternative.name!r} is right; only a mistake may be public")
 
 
 class Equivalent(Written, frozen=True, kw_only=True):

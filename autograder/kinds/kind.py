@@ -59,6 +59,8 @@ class Kind(ABC, Generic[Q, A]):
     has_field: ClassVar[bool] = False  # whether a response may be typed into a field
     # Whether it is practised by reading, which of some responses is right, and not by variants.
     can_be_read: ClassVar[bool] = False
+    # Whether a chapter's notebook shows the hints below the prompt, and not only who asks for them.
+    hints_in_heading: ClassVar[bool] = False
 
     # -- asked, and right ------------------------------------------------------------------------
 
@@ -155,6 +157,17 @@ class Kind(ABC, Generic[Q, A]):
         """The dotted name of the function that describes such a drawing, if the key names one."""
         return None
 
+    def remark(self, question: Q, response: dict[str, object]) -> str:
+        """What the question alone says of a response that is only recorded: no key is needed.
+
+        ``response`` is what came back for the probe.
+        """
+        return ""
+
+    def public_cases(self, drawn: Drawn) -> list[int]:
+        """Which of the probe's cases students may see, by their places."""
+        return []
+
     # -- shown -----------------------------------------------------------------------------------
 
     @abstractmethod
@@ -227,7 +240,8 @@ class Kind(ABC, Generic[Q, A]):
         yield answer.explanation
         yield answer.code
         for alternative in answer.alternatives:
-            yield alternative.feedback
+            if not alternative.in_bundle:
+                yield alternative.feedback
 
     def secret_numbers(self, question: Q, answer: A) -> Iterator[str]:
         """The right values of a key, as a student would see them printed."""

@@ -21,6 +21,7 @@ from autograder.errors import AutograderError
 from autograder.exchange import wire
 from autograder.exchange.identity import VARIANTS
 from autograder.exchange.messages import Message
+from autograder.kinds.registry import kind_of
 from autograder.language import follow_environment
 from autograder.marking.marker import Marker
 
@@ -54,7 +55,9 @@ def _answer(marker: Marker, message: Message) -> Message:
         if message["variant"] is not None:
             marker = marker.of_variant(id, message["variant"])
         if message["do"] == "probe":
-            return {"probe": marker.drawn(id).probe}
+            drawn = marker.drawn(id)
+            public = kind_of(marker.course.question(id)).public_cases(drawn)
+            return {"probe": {**drawn.probe, **({"tell": public} if public else {})}}
         mark = marker.mark(id, message["response"], message["understood"])
         # The evidence may quote the key, and what is told to a kernel its student can read.
         return {"mark": replace(mark, evidence="").to_dict()}

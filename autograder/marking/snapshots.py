@@ -7,9 +7,11 @@ numbers in ``notebooks/snapshots/CHAPTER.json``. `autograder.release` takes them
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 from autograder.course import Course
+from autograder.course.questions import Question
 from autograder.errors import CourseError
 from autograder.exchange.messages import Message
 from autograder.exchange.reasons import REASONS, UNREAD
@@ -20,6 +22,13 @@ from autograder.kinds.snapshot import wrong
 from autograder.language import _
 
 SNAPSHOTS = Path("notebooks/snapshots")
+
+
+def recorded(question: Question, response: Message) -> Mark:
+    """The mark of a response that is marked elsewhere, with what the question alone says of it."""
+    mark = stopped(question, "recorded")
+    said = kind_of(question).remark(question, response)
+    return replace(mark, feedback=f"{mark.feedback} {said}") if said else mark
 
 
 class SnapshotMarker:
@@ -44,7 +53,8 @@ class SnapshotMarker:
     def probe(self, id: str) -> Message:
         """What the kernel has to evaluate for a question."""
         question = self._course.question(id)
-        return kind_of(question).snapshot_probe(question, self._snapshots.get(id))
+        probe = kind_of(question).snapshot_probe(question, self._snapshots.get(id))
+        return {**probe, "tell": True}  # students may see all of it
 
     def mark(self, id: str, response: object, understood: str = "") -> Mark:
         """Mark what came back for the probe."""
@@ -56,7 +66,7 @@ class SnapshotMarker:
         if state == "not attempted":
             return not_attempted(question)
         if snapshot is None or not snapshot["checked"]:
-            return stopped(question, "recorded")
+            return recorded(question, response)
         if state == "raised":
             said = _("Evaluating {name} raises {error}.")
             said = said.format(name=question.name, error=response.get("error"))

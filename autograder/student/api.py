@@ -1,4 +1,4 @@
-"""What a notebook calls: ``ask``, ``check``, ``me``, ``numbers`` and the others."""
+"""What a notebook calls: ``ask``, ``check``, ``hint``, ``me``, ``numbers`` and the others."""
 
 from __future__ import annotations
 
@@ -20,8 +20,9 @@ from autograder.student.identity import become, student_of
 from autograder.student.live import Live, Shown, View
 from autograder.student.marker_client import marker_for
 from autograder.student.responses import answered, responses_folder
-from autograder.student.submission import pack_submission
+from autograder.student.submission import asks_for_a_name, pack_submission
 from autograder.student.views import (
+    HintView,
     IdentityView,
     MarkView,
     PracticeView,
@@ -92,6 +93,15 @@ def check(id: str, response: object = MISSING) -> object:
     marked.
     """
     return _try(lambda: _check(id, response))
+
+
+def hint(id: str) -> object:
+    """Open one more hint of a question, and show those that are open.
+
+    Args:
+        id: such as ``"Q2.2a"``.
+    """
+    return _try(lambda: _hint(id))
 
 
 def me(name: object = MISSING) -> object:
@@ -200,6 +210,12 @@ def _check(id: str, response: object) -> object:
     return _shown(view, lambda: kind_of(question).widget(desk, question, response, mark))
 
 
+def _hint(id: str) -> object:
+    desk = _desk()
+    question = desk.course.question(id)
+    return HintView(question, desk.open_hint(question) if question.hints else 0)
+
+
 def _me(name: object) -> object:
     course = _course_at(course_of_notebook())
     if name is not MISSING:
@@ -294,4 +310,12 @@ def _pack(desk: Desk, to: Path | None) -> SubmissionView:
         put = drop(packed.path, to)
         advice = _("Handed in as {path}; the newest counts.").format(path=put)
         taken = True
-    return SubmissionView(packed, unanswered, len(desk.course.questions), warning, advice, taken)
+    nameless = ""
+    if not desk.student and asks_for_a_name(packed.folder):
+        call = '`me("Ada Lovelace")`'
+        said = _(
+            "You have not said who you are. Run {call} with your own name, then submit() again."
+        )
+        nameless = said.format(call=call)
+    count = len(desk.course.questions)
+    return SubmissionView(packed, unanswered, count, warning, advice, taken, nameless)

@@ -4,17 +4,21 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 from weakref import WeakSet
 
 from autograder.course import Course
 from autograder.course.predictions import Guess, Prediction
 from autograder.course.questions import Question
-from autograder.exchange.messages import Value, Values
+from autograder.exchange.messages import Message, Value, Values
+from autograder.exchange.replies import clean_told
 from autograder.exchange.responses import Entry
+from autograder.exchange.told import in_words
 from autograder.kinds.mark import Mark, not_attempted, stopped
 from autograder.kinds.registry import kind_of
 from autograder.language import _
+from autograder.marking.snapshots import recorded
 from autograder.sandbox.inside.evaluate import describe, evaluate
 from autograder.student.frontend import running_shell
 from autograder.student.marker_client import marker_for
@@ -220,11 +224,13 @@ class Desk:
             mark = not_attempted(question)
         elif marker is not None:
             reply = evaluate(response, marker.probe(question.id))
-            mark = marker.mark(question.id, reply, understood)
-        else:
+            mark = _with_exception(marker.mark(question.id, reply, understood), reply)
+        elif _is_stub(response):
             # Without a key an untouched stub is still told from a response.
-            stub = _is_stub(response)
-            mark = not_attempted(question) if stub else stopped(question, "recorded")
+            mark = not_attempted(question)
+        else:
+            probe = kind_of(question).snapshot_probe(question, None)
+            mark = recorded(question, evaluate(response, probe))
         if count and mark.status != "not attempted":
             self.note(
                 question,
@@ -297,6 +303,15 @@ def hints_open(entry: Entry) -> int:
     """How many hints of a question have been opened."""
     count = entry.get("hints", 0)
     return count if isinstance(count, int) and count >= 0 else 0
+
+
+def _with_exception(mark: Mark, reply: Message) -> Mark:
+    """The mark, with the message and the line of an exception on an input that is not hidden."""
+    told = in_words(clean_told(reply.get("told")))
+    if not told or mark.status == "right":
+        return mark
+    said = _("The exception on an input that you can see: {told}.").format(told=told.rstrip("."))
+    return replace(mark, feedback=f"{mark.feedback} {said}", told=told)
 
 
 def _is_stub(response: object) -> bool:

@@ -208,6 +208,11 @@ def answered(entry: Entry | None) -> bool:
     return bool(entry) and (entry or {}).get("status") != "not attempted"
 
 
+def only_recorded(entry: Entry | None) -> bool:
+    """Whether an entry holds a response that is marked later, by the key or by a person."""
+    return (entry or {}).get("status") == "recorded"
+
+
 def points(entry: Entry | None) -> float:
     """The points of an entry; nonsense in the file counts as none."""
     earned = (entry or {}).get("points", 0.0)

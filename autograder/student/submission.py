@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import zipfile
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -16,6 +17,8 @@ from autograder.errors import AutograderError
 from autograder.exchange.identity import FILE
 from autograder.intake.notebook_reader import SUBMITTED, Unreadable, read_notebook
 from autograder.language import _
+
+_ASKS = re.compile(r"^me\(", re.MULTILINE)
 
 
 @dataclass(frozen=True)
@@ -76,6 +79,18 @@ def pack_submission(
             ).format(file=target, reason=error)
         ) from None
     return Packed(target, tuple(files), folder)
+
+
+def asks_for_a_name(folder: Path) -> bool:
+    """Whether a notebook of the course asks students who they are."""
+    for path in sorted(folder.glob("*.ipynb")):
+        try:
+            cells = read_notebook(path.read_bytes()).cells
+        except (OSError, Unreadable):
+            continue
+        if any(_ASKS.search(cell) for cell in cells):
+            return True
+    return False
 
 
 def _place_of(on_screen: Mapping[str, Any], notebooks: list[Path], course: Course) -> str:

@@ -10,7 +10,7 @@ from autograder.kinds.registry import kind_of
 from autograder.kinds.status import Status
 from autograder.language import _, n_
 from autograder.student.receipts import RECEIPT, receipt
-from autograder.student.responses import answered, points
+from autograder.student.responses import answered, only_recorded, points
 from autograder.student.submission import Packed
 
 
@@ -77,6 +77,7 @@ class QuestionView(_View):
             "",
         ]
         lines += kind_of(question).lines(question, self.response)
+        lines += _hint_line(question)
         return [*lines, "", self.foot] if self.foot else lines
 
     def receipt(self) -> dict[str, object] | None:
@@ -156,6 +157,8 @@ class MarkView(_View):
         wrong = [part for part in mark.parts if part.feedback and part.right is not True]
         if kind_of(self.question).parts_stand_alone:
             lines += ["", *(f"- {part.label}: {part.feedback}" for part in wrong)] if wrong else []
+        if mark.status in ("wrong", "partial", "not attempted", "error"):
+            lines += _hint_line(self.question)
         if mark.full_explanation and mark.status in ("right", "partial", "wrong"):
             lines += [
                 "",
@@ -173,8 +176,35 @@ class MarkView(_View):
         return receipt(self.question.id, self.response)
 
 
+class HintView(_View):
+    """The hints of a question that are open."""
+
+    def __init__(self, question: Question, count: int) -> None:
+        self.question = question
+        self.count = count
+
+    def lines(self) -> list[str]:
+        hints = self.question.hints
+        if not hints:
+            return [_("{question} has no hints.").format(question=self.question.id)]
+        lines = []
+        for number, hint in enumerate(hints[: self.count], 1):
+            said = _("Hint {number} of {count}").format(number=number, count=len(hints))
+            lines += [f"**{said}:** {hint}", ""]
+        if self.count < len(hints):
+            return [*lines, _("For the next one, run this again.")]
+        return lines[:-1]
+
+
+def _hint_line(question: Question) -> list[str]:
+    """How to get a hint where no widget gives one and the notebook does not show them."""
+    if not question.hints or kind_of(question).hints_in_heading:
+        return []
+    return ["", _("For a hint, run {call}.").format(call=f'`hint("{question.id}")`')]
+
+
 class ProgressView(_View):
-    """Points so far, chapter by chapter."""
+    """Points so far, chapter by chapter, and which questions are open or marked later."""
 
     def __init__(self, course: Course, entries: dict[str, dict[str, dict[str, object]]]) -> None:
         self.course = course
@@ -193,12 +223,33 @@ class ProgressView(_View):
                 f"| {_some(number(earned), number(possible))} |"
             )
             total, most = total + earned, most + possible
-        return [*lines, f"| **{_('together')}** | | **{_some(number(total), number(most))}** |"]
+        lines.append(f"| **{_('together')}** | | **{_some(number(total), number(most))}** |")
+        return [*lines, *(line for said in self.remarks() for line in ("", said))]
+
+    def remarks(self) -> list[str]:
+        """Which questions are open, and which are answered but not marked here."""
+        kept = {
+            question.id: self.entries[chapter.name].get(question.id)
+            for chapter in self.course.chapters
+            for question in chapter.questions
+        }
+        begun = [id for id, entry in kept.items() if answered(entry)]
+        left = [id for id in kept if id not in begun]
+        later = [id for id in begun if only_recorded(kept[id])]
+        said = []
+        if left and begun:
+            said.append(_("Not answered yet: {questions}.").format(questions=", ".join(left)))
+        if later:
+            words = _("Answered, and marked only after you hand in: {questions}.")
+            said.append(words.format(questions=", ".join(later)))
+        return said
 
     def __repr__(self) -> str:
-        rows = [line.strip("| ").replace("**", "").split("|") for line in self.lines()]
+        table = [line for line in self.lines() if line.startswith("|")]
+        rows = [line.strip("| ").replace("**", "").split("|") for line in table]
         cells = [[cell.strip() for cell in row] for row in rows if not row[0].startswith(":")]
-        return "\n".join(f"{row[0]:<24}{row[1]:>10}{row[2]:>14}" for row in cells)
+        lines = [f"{row[0]:<24}{row[1]:>10}{row[2]:>14}" for row in cells]
+        return "\n".join([*lines, *self.remarks()])
 
 
 def _some(count: str, all: str) -> str:
@@ -209,7 +260,7 @@ class SubmissionView(_View):
     """What was packed, what is unanswered, and above all what the file may lack.
 
     ``warning`` says what is not saved, ``advice`` what else to do with the file or what was done;
-    ``taken`` is true if a drop folder has it already.
+    ``taken`` is true if a drop folder has it already; ``nameless`` says that the name is missing.
     """
 
     def __init__(
@@ -220,6 +271,7 @@ class SubmissionView(_View):
         warning: str = "",
         advice: str = "",
         taken: bool = False,
+        nameless: str = "",
     ) -> None:
         self.packed = packed
         self.unanswered = unanswered
@@ -227,6 +279,7 @@ class SubmissionView(_View):
         self.warning = warning
         self.advice = advice
         self.taken = taken
+        self.nameless = nameless
 
     def lines(self) -> list[str]:
         notebooks = [name for name in self.packed.names if name.endswith(".ipynb")]
@@ -240,6 +293,8 @@ class SubmissionView(_View):
         else:
             hand_in = "" if self.taken else f" {_('Hand in this file.')}"
             lines = [held + hand_in, ""]
+        if self.nameless:
+            lines += [self.nameless, ""]
         if self.advice:
             lines += [self.advice, ""]
         if not self.unanswered:

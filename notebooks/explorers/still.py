@@ -58,6 +58,22 @@ def samples_asked_for(share: float, allowed: float = 0.05) -> int:
     return count
 
 
+def consensus(points: np.ndarray, band: float) -> np.ndarray:
+    """Return the indices, shape (M,), of the most points that agree with a line through two.
+
+    As `consensus` in cloud.js: a point agrees that is at most `band` metres away from the line.
+    """
+    members = np.arange(len(points))[:0]
+    for i in range(len(points)):
+        for j in range(i):
+            dx, dy = points[j] - points[i]
+            across = (points[:, 0] - points[i, 0]) * dy - (points[:, 1] - points[i, 1]) * dx
+            found = np.flatnonzero(np.abs(across) <= band * math.hypot(dx, dy))
+            if (dx or dy) and len(found) > len(members):
+                members = found
+    return members
+
+
 def _sample(points: np.ndarray, random: Iterator[float]) -> tuple[int, int]:
     while True:
         i, j = (math.floor(next(random) * len(points)) for _ in range(2))

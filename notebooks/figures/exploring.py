@@ -4,6 +4,7 @@ from typing import Any
 
 import numpy as np
 
+from notebooks.explorers.still import consensus
 from notebooks.figures.consensus import _band, _frame, _votes
 from notebooks.figures.style import (
     BLUE,
@@ -17,6 +18,8 @@ from notebooks.figures.style import (
     quiet,
     show,
 )
+
+BAND = 0.3  # m, half the width of the band in which points agree with a line, as in cloud.js
 
 
 def ransac_steps(points: np.ndarray, run: Any, threshold: float) -> None:
@@ -57,10 +60,17 @@ def cloud_views(points: np.ndarray, predicted: str | None = None) -> None:
     normals = np.linalg.svd(points - center)[2][::-1]  # the valley's, then the hill's
     stationary = [_half_turn(normal, center) for normal in normals]
     valley, hill = stationary
+    agreeing = points[consensus(points, BAND)]
+    middle = agreeing.mean(axis=0)
+    agreed = _half_turn(np.linalg.svd(agreeing - middle)[2][-1], middle)
 
-    plan(scene, f"normal at {np.degrees(valley[1]):.0f}°")
     _frame(scene, points, margin=0.8)
-    draw_line(scene, *valley, color="black", linewidth=1.5)
+    for line, style, name in ((valley, "-", "least squares"), (agreed, "--", "consensus")):
+        label = f"{name}, {np.degrees(line[1]):.0f}°"
+        color = "black" if style == "-" else ORANGE
+        draw_line(scene, *line, color=color, linestyle=style, linewidth=1.5, label=label)
+    plan(scene)
+    scene.legend(loc="lower center", bbox_to_anchor=(0.5, 1), frameon=False, fontsize=8)
     scene.plot(*points[:-1].T, "o", color=BLUE)
     scene.plot(*points[-1:].T, "s", color=VERMILLION)
 
@@ -91,7 +101,8 @@ def cloud_views(points: np.ndarray, predicted: str | None = None) -> None:
         f"{len(points)} points, one of them an outlier, in three views. The cost is least at "
         f"r = {valley[0]:.2f} m, α = {np.degrees(valley[1]):.0f}° (circle), where S is "
         f"{_cost(points, valley):.3g} m². The other stationary angle, "
-        f"{np.degrees(hill[1]):.0f}° (triangle), is the hill.",
+        f"{np.degrees(hill[1]):.0f}° (triangle), is the hill. {len(agreeing)} points agree on the "
+        f"dashed line, whose normal is at {np.degrees(agreed[1]):.0f}°.",
     )
 
 

@@ -242,7 +242,8 @@ def precision_recall(
     `score(name, walk)` returns one number for each photograph of the walk, large for a good match;
     every photograph of the walk is compared with all others. The threshold is the one that costs
     least on the walk, if a wrong loop costs as much as `wrong_costs` missed ones; of several the
-    highest. Pairs that are `undecided` count for neither.
+    highest. It may lie just above all scores, which closes no loop. Pairs that are `undecided`
+    count for neither.
     """
     fig = figure(8, 3.1 * len(scores))
     panels = fig.subplots(len(scores), 2, squeeze=False)
@@ -254,7 +255,8 @@ def precision_recall(
             for axes in row:
                 note(axes, NOT_YET)
             continue
-        steps = np.unique(np.append(learnt.scores, learnt.scores.max() + 1))
+        most = learnt.scores.max()
+        steps = np.unique(np.append(learnt.scores, most + 0.03 * np.ptp(learnt.scores) + 1e-9))
         costs = [wrong_costs * wrong + missed for _, wrong, missed in map(learnt.at, steps)]
         threshold = float(steps[::-1][int(np.argmin(costs[::-1]))])
         for axes, decisions, where in zip(
@@ -262,10 +264,11 @@ def precision_recall(
         ):
             _draw_decisions(axes, decisions, steps, threshold)
             right, wrong, missed = decisions.at(threshold)
-            counts = f"{right} right, {wrong} wrong, {missed} missed"
-            axes.set_title(f"{where}, threshold {threshold:.3g}: {counts}", fontsize=9)
+            loops = f"{right} right, {wrong} wrong, {missed} missed loops"
+            chosen = f"threshold {threshold:.3g}" if threshold <= most else "above all scores"
+            axes.set_title(f"{where}, {chosen}: {loops}", fontsize=9)
             axes.set_xlabel(f"threshold: {label}")
-            said.append(f"{label}, {where}: {right} right, {wrong} wrong, {missed} missed loops")
+            said.append(f"{label}, {where}, {chosen}: {loops}")
     if said:
         lines = next(axes for axes in panels[:, 0] if axes.lines).get_legend_handles_labels()
         fig.legend(*lines, fontsize=9, frameon=False, loc="outside lower center", ncols=3)
@@ -298,7 +301,9 @@ def _draw_decisions(axes: Axes, decisions: _Decisions, steps: np.ndarray, thresh
     closed = right + wrong > 0
     precision = right[closed] / (right + wrong)[closed]
     axes.plot(steps[closed], precision, color=BLUE, lw=2, label="precision")
-    axes.plot(steps, right / (right + missed), color=ORANGE, lw=2, ls="--", label="recall")
+    axes.plot(
+        steps, right / np.maximum(right + missed, 1), color=ORANGE, lw=2, ls="--", label="recall"
+    )
     axes.axvline(threshold, color=VERMILLION, ls=":", lw=2, label="threshold chosen on the walk")
     if steps.max() > 10:
         axes.set_xscale("symlog", linthresh=10)

@@ -94,14 +94,14 @@ def pushed_line(
     costs = attempt(lambda: [float(msac_cost(offsets - push, threshold)) for push in pushes])
     least = outside.min()
     flat = 100 * np.ptp(pushes[outside == least])
-    said = f"counting is content with {flat:.1f} cm"
+    said = f"the lowest step of counting is {flat:.1f} cm wide"
     if costs is None:
         note(axes, not_written(msac_cost))
     else:
         best = 100 * pushes[int(np.argmin(costs))]
         axes.plot(100 * pushes, costs, color=BLUE, lw=2, label="your cost")
         axes.plot(best, min(costs), "o", color=ORANGE, mec="black", markersize=9)
-        said += f", your cost is least at {best:.1f} cm"
+        said += f"; your cost is least at {best + 0.0:.1f} cm"
     axes.set_xlabel("line pushed by [cm]")
     axes.set_ylabel("cost [m²]")
     axes.set_title(said, fontsize=10)

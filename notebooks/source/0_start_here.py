@@ -18,7 +18,8 @@
 # You need linear algebra, a little calculus, a little probability, and Python with NumPy. You need no
 # robotics.
 #
-# The questions follow an exercise sheet of a robotics lecture; where the course corrects it, it says so.
+# The questions follow an exercise sheet of a robotics lecture. You do not need it. Short remarks that begin with *For
+# readers of the sheet* say where the course corrects it; without the sheet, pass over them.
 
 # %% [markdown]
 # ## Is everything installed?
@@ -72,7 +73,7 @@ me()
 # A cell `ask(...)` shows a question to click on. Run it, click, and press **Check**. Below a number, an
 # expression or a function stands a cell `check(...)`. Run it: it tells you what it made of your answer. While
 # `...` stands, it also shows a field, into which you may type a number or a formula instead; what a cell assigns
-# wins. Hints come one at a time, when you ask for them.
+# wins. Hints come one at a time, when you ask for them: by a button, or where there is none, by `hint("Q2.2a")`.
 #
 # Your copy of the course may not hold the answers to all questions. Then there is no button **Check**, or the result of
 # `check(...)` is *recorded*: your answer is stored, and marked after you have handed it in.

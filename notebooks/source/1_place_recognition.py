@@ -76,8 +76,14 @@ figures.keypoints(walk["0503"], keypoints)
 predict("P1.1")
 
 # %% [markdown]
-# Matches count here if they agree with one position for each camera, which is explained at the end of this chapter.
-# A few agree by chance, even between different places: that is the grey band. A pair within the band tells nothing.
+# Both kinds of feature are tried on the 19 pairs of photographs below the picture on the right, each pair of one place. A
+# **match** is a pair of keypoints, one in each photograph, whose descriptors are alike. Many matches are wrong, so only those
+# count that fit together: two positions of the camera can be found from which all of them make sense. (How that is tested
+# comes at the end of this chapter.)
+#
+# A few matches fit together by mere chance, even if the photographs show different places. The grey band goes up to the
+# most that happened in 19 pairs of *different* places. A pair above the band is recognised; a pair inside it might as well be
+# chance.
 
 # %% demo=true
 photographs = {**walk, **queries}
@@ -91,9 +97,10 @@ figures.compare_features(photographs, data.same_place_pairs(), predicted("P1.1")
 figures.binary_descriptors(photographs["0502"], photographs["0503"])
 
 # %% [markdown]
-# And the field has moved on: today the descriptors themselves are often *learnt*, by networks that describe a whole photograph by one
-# vector (NetVLAD, 2016, and its successors) and recognise a place by night that they saw by day. The rest of this chapter stays as it is with
-# them: vectors that are compared quickly, candidates, and geometry at the end.
+# The field has moved on since. Today a neural network often *learns* how to describe a photograph: it turns the whole
+# photograph into one vector (NetVLAD, 2016, and its successors). Such a network can recognise at night a place that it saw by
+# day. What you build in this chapter keeps its shape with learnt vectors too: compare vectors quickly, keep the best
+# candidates, and let geometry have the last word.
 
 # %% [markdown]
 # ## From descriptors to words
@@ -373,9 +380,10 @@ explore_journey("0508", photographs, features, tuple(walk), functions)
 # %% [markdown]
 # ## How many are enough?
 #
-# Some matches always agree by chance: there is some matrix that suits ten of them. So we need a threshold, and it must not be chosen on the
-# queries on which it is tried afterwards. Let each photograph of the *walk* search among the others, as often happens on a real drive, and verify its
-# five best candidates:
+# Some matches always agree by chance: among all pairs of our photographs that show different places, nine or ten agree in most, and
+# never more than 14. (The 19 pairs at the beginning of this chapter happened to stop at ten.) So we need a threshold above
+# that, and it must not be chosen on the queries on which it is tried afterwards. Let each photograph of the *walk* search
+# among the others, as often happens on a real drive, and verify its five best candidates:
 
 
 # %% demo=true
@@ -397,7 +405,9 @@ def agreeing_with(name, places=tuple(walk)):
 predict("P1.2")
 
 # %% [markdown]
-# The threshold of least cost on the walk is marked on the left. On the right it is tried on the five queries.
+# In the picture, the walk is on the left and the five queries are on the right. The dotted line is the threshold that costs least on
+# the walk; on the right the same threshold is tried. On the walk 22 loops could be closed: eleven pairs of photographs show the same
+# place, and each of the two can find the other. For the queries there are eleven.
 
 # %% demo=true
 scores = {"likeness of the bags": likeness_to, "agreeing matches": agreeing_with}
@@ -405,11 +415,15 @@ unsure = data.undecided_pairs()  # three pairs of which nobody can tell: they ar
 figures.precision_recall(scores, tuple(walk), tuple(queries), same, 20, predicted("P1.2"), unsure)
 
 # %% [markdown]
-# For the bags alone the cheapest is to close no loop at all: no likeness is high enough to be believed. Change the 20 to 1, for a robot that can
-# afford mistakes. How far does each of the two thresholds fall, and how many loops are closed now?
+# For the bags alone (above) it is cheapest to close no loop at all and to miss all 22: the likeness of the best wrong pair is
+# higher than that of nearly all right ones, and one wrong loop costs as much as 20 missed ones. Change the 20 to 1, for a robot
+# that can afford mistakes. How far does each of the two thresholds fall, and how many loops are closed now?
 #
-# For the geometry, no wrong candidate of the walk reaches the threshold that you see on the left. The next building may have more windows that
-# look alike, so we leave a margin and ask for 20. Here are the queries again, one by one; the grey band is what chance has reached on the walk.
+# For the geometry (below), no wrong candidate of the walk reaches the threshold. The loops that it misses are of two kinds: the place
+# was not among the five best candidates of the bags, so that nobody counted its matches, or it was and too few matches agree.
+#
+# The next building may have more windows that look alike, so we leave a margin and ask for 20. Here are the queries again, one
+# by one; the grey band is what chance has reached on the walk.
 
 # %% demo=true
 figures.agreement(agreeing_with, tuple(queries), tuple(walk), same, 20, unsure)

@@ -52,7 +52,7 @@ print(f"errors along y: m = {m:.1f}; errors along x: m = {1 / m_exchanged:.1f}")
 print("Your prediction:", predicted("P2.1") or "none")
 
 # %% [markdown]
-# One wall, and two different slopes. For an upright wall a tiny error in $x$ is a huge one in $y$, and if the
+# One wall, and two slopes, the second about a quarter larger than the first. For an upright wall a tiny error in $x$ is a huge one in $y$, and if the
 # wall stands exactly upright, no $m$ is right. Below, an artificial wall of four metres is turned step by step, and
 # $y = mx + b$ is fitted each time. Watch the slope on the way:
 
@@ -74,15 +74,14 @@ figures.steep_walls(straight)
 figures.polar_line(r=1.8, alpha=math.radians(35))
 
 # %% [markdown]
-# (The exercise sheet derives this equation from Pythagoras, $x^2 + y^2 = r^2$. That is true only for the foot of the
-# normal, $x = r\cos\alpha$, $y = r\sin\alpha$; for the other points of the line it takes what comes next.)
-#
 # Read the equation as a dot product: $(\cos\alpha, \sin\alpha)$ is the **normal**, the unit vector at right
 # angles to the line, and all points of the line reach equally far in its direction.
 #
 # For a point that is *not* on the line, $x \cos\alpha + y \sin\alpha - r$ is its distance from the line,
 # with a sign that tells the side. The wall $x = 2$ has $\alpha = 0$ and $r = 2$; the point $(5, 1)$ has the
 # distance $5 \cdot 1 + 1 \cdot 0 - 2 = 3$ from it.
+#
+# > *For readers of the sheet:* it derives the equation from Pythagoras, $x^2 + y^2 = r^2$, which holds only at the foot of the normal.
 #
 # What do $r$ and $\alpha$ do? Each picture shows one pair of them. Change the numbers and run it again:
 
@@ -124,8 +123,10 @@ explore_polar_line(five)
 
 # %% [markdown]
 # Squares make the mathematics easy, as you will see, and they have a dark side. A point that is ten
-# times as far from the line as another adds a hundred times as much to the cost. (The sheet calls outliers *measurement
-# noise*. Noise is the small scatter of every point; an outlier does not belong to the line at all.)
+# times as far from the line as another adds a hundred times as much to the cost. Mind the two words: **noise** is the small
+# scatter of every point; an **outlier** does not belong to the line at all.
+#
+# > *For readers of the sheet:* it calls outliers *measurement noise*.
 
 # %% exercise="Q2.1"
 
@@ -133,9 +134,10 @@ explore_polar_line(five)
 # ## The derivation
 #
 # Now find the $r$ and $\alpha$ that make $S$ least, in steps. At a minimum both slopes are zero,
-# $\partial S / \partial r = 0$ and $\partial S / \partial \alpha = 0$. (The exercise sheet writes the
-# first condition twice, at the start of the answer for $\alpha$ as well; the second is meant.) Start with
-# $r$, which is easier.
+# $\partial S / \partial r = 0$ and $\partial S / \partial \alpha = 0$. Start with $r$, which is easier.
+#
+# > *For readers of the sheet:* where it begins with $\alpha$ it writes $\partial S / \partial r = 0$ again;
+# > $\partial S / \partial \alpha = 0$ is meant.
 #
 # You type formulas, and these are their symbols:
 
@@ -176,8 +178,8 @@ print(f"S_xx = {dx @ dx:.2f}, S_yy = {dy @ dy:.2f}, S_xy = {dx @ dy:.2f} m²")
 # %% exercise="Q2.2d"
 
 # %% [markdown]
-# The sheet writes this slope as a *product of two sums*. That is a slip: the product stands inside one sum,
-# $2 \sum_i (\dots)(\dots)$, since the square of each point is differentiated on its own.
+# > *For readers of the sheet:* it writes this slope as a *product of two sums*. The product stands inside one sum,
+# > $2 \sum_i (\dots)(\dots)$, since the square of each point is differentiated on its own.
 
 # %% exercise="Q2.2e"
 
@@ -199,9 +201,10 @@ figures.cost_over_angle({"a flat wall": flat, "a steep wall": steep}, alpha_opt)
 # the same equation.
 #
 # A tangent does not tell them apart: $\tan$ repeats itself after $\pi$, so from $\tan 2\alpha$ the angle
-# $\alpha$ is known only up to a quarter turn. A plain $\arctan$, which is where the sheet ends, takes
-# whichever of the two lies between -45° and 45°. For which of the two clouds is that the hill? The second
-# derivative decides: it is positive in a valley.
+# $\alpha$ is known only up to a quarter turn. A plain $\arctan$ takes whichever of the two lies between -45° and 45°.
+# For which of the two clouds is that the hill? The second derivative decides: it is positive in a valley.
+#
+# > *For readers of the sheet:* it ends with the plain $\arctan$.
 
 # %% exercise="Q2.2f1"
 
@@ -220,8 +223,8 @@ figures.cost_over_angle({"a flat wall": flat, "a steep wall": steep}, alpha_min)
 # the cost over the angle.
 #
 # Predict, then turn the cloud slowly and watch the sentence above the pictures. After that, drag
-# the outlier (the square). The solid line is least squares; the dashed one is where most points agree, which is what
-# chapter 3 is about.
+# the outlier (the square). The solid line is least squares. The dashed line is the one that most points agree with; it takes no
+# notice of the outlier. How it is found is what chapter 3 is about.
 
 # %% demo=true
 predict("P2.2")
@@ -236,8 +239,9 @@ explore_cloud(five, outlier=(4, 3.5), predicted=predicted("P2.2"))
 #
 # ## The function
 #
-# Now all of it together, as a program. (Inside a function, `r` and `alpha` are numbers of its own; the symbols above
-# are not touched.) The signature allows for weights, for the case that some points are more certain than others.
+# Now write all of it as a program. (Variables inside a function are its own: if you call them `r` and `alpha`, the symbols of the
+# same names above stay what they are.) The function also takes weights, for points of which some are more certain than
+# others: each squared distance is multiplied by the weight of its point before the cost is added up.
 
 # %% exercise="Q2.3"
 
@@ -250,21 +254,28 @@ figures.fitted_line(wall, fit_line)
 # %% [markdown]
 # ## How certain is it?
 #
-# Each laser point is off by some $\sigma$; for this scanner it is about 2 cm, as the picture will show. So the fitted line is off as
-# well, by how much? We do not know the errors, but we can compute their spread, the **covariance** of
-# $(r, \alpha)$: a 2 × 2 matrix with the variances on its diagonal.
+# Each laser point is a little off, for this scanner by about 2 cm, as a picture further down shows. Call that $\sigma$, the
+# standard deviation of a point's coordinates. Since the points are off, the fitted line is off too. By how much? Nobody knows the
+# errors themselves, but how far $r$ and $\alpha$ scatter because of them can be computed. The result is the **covariance** of
+# $(r, \alpha)$, a 2 × 2 matrix: on its diagonal stand the variances of $r$ and of $\alpha$, beside it how they go together.
 #
-# Look along the wall. Let $b_i$ be the position of point $i$ along the wall *measured from the centre*,
-# $B = \sum_i b_i^2$, and $t$ the position of the centre *measured from the foot of the normal*, both positive to
-# the left of the normal, in the direction $(-\sin\alpha, \cos\alpha)$.
+# Walk along the wall with a tape measure. All positions along it count as positive to the left of the normal, that is, in the
+# direction $(-\sin\alpha, \cos\alpha)$. Three quantities are needed:
 #
-# - An error across the wall at one end turns the line. The farther the points are apart, the less:
+# - $b_i$ is the position of point $i$, *measured from the centre* of the points;
+# - $B = \sum_i b_i^2$ says how far the points spread along the wall;
+# - $t$ is the position of the centre, *measured from the foot of the normal*, the point of the line nearest to the origin.
+#
+# Now think of small errors across the wall:
+#
+# - An error at one end of the wall turns the line. It turns less if the points are spread farther:
 #   the variance of $\alpha$ is $\sigma^2 / B$.
-# - The line passes through the centre, which is the mean of $N$ points and has the variance
-#   $\sigma^2 / N$ across the wall.
-# - When the line turns about the centre, its distance from the origin changes too. The lever is $t$.
+# - The line passes through the centre, the mean of $N$ points. Across the wall the centre has the variance
+#   $\sigma^2 / N$.
+# - When the line turns about the centre, its distance $r$ from the origin changes as well, by $t$ for each radian. So the
+#   variance of $\alpha$ comes into that of $r$ with the factor $t^2$, and the two errors go together, with the covariance $t\,\sigma^2 / B$.
 #
-# Together, to first order in $\sigma$:
+# All together (as long as $\sigma$ is small compared with the wall):
 #
 # $$C = \sigma^2 \begin{pmatrix} \dfrac1N + \dfrac{t^2}{B} & \dfrac{t}{B} \\ \dfrac{t}{B} & \dfrac1B \end{pmatrix}$$
 

@@ -107,8 +107,7 @@ N, w, p = numbers("cloud")
 print(f"{N} points, a share w = {w} of them inliers; wanted is success with p = {p}")
 
 # %% [markdown]
-# (The exercise sheet calls $w$ the *inlier count* and $p$ the *probability of all inliers*. It computes with $w$ as a
-# share, and with $p$ as the probability that at least one sample holds inliers only, as we do.)
+# > *For readers of the sheet:* it calls $w$ the *inlier count* and $p$ the *probability of all inliers*, and computes with both as we do.
 #
 # When a point is drawn, it is an inlier with probability $w$. Strictly speaking, that changes a little once
 # a point has been taken out: of the $N - 1$ that remain, $wN - 1$ are inliers. The cloud is large, so we neglect that.
@@ -182,7 +181,7 @@ figures.runs_that_failed(N, w, 100, success_after_100, np.random.default_rng(0))
 # %% [markdown]
 # A real program draws three *different* points, so the
 # probability of a clean sample is $\frac{wN}{N} \cdot \frac{wN-1}{N-1} \cdot \frac{wN-2}{N-2}$, slightly less than
-# $w^3$. The question told you to neglect that, as the exercise sheet does. For lines it makes no difference in the end,
+# $w^3$. The question told you to neglect that. For lines it makes no difference in the end,
 # for planes it costs a few iterations. Both numbers are accepted.
 #
 # You have now used the same formula several times. Write it as a function, and it is of use for every model
@@ -232,12 +231,19 @@ predict("P3.2")
 figures.noisy_inliers(N, w, iterations, np.random.default_rng(0), predicted("P3.2"))
 
 # %% [markdown]
-# On the left are the lines through two points, on the right the same after the last step of RANSAC: a fit by least squares to
-# the consensus set. The refit cannot help those runs that had no clean sample at all (the bar at 0), but it repairs about four of
-# five of the other runs that kept less than 90 %.
-# That is why step 5 is not a luxury.
+# Each bar counts runs: the farther to the right, the more of the true inliers the best line of these runs keeps. In the left picture
+# the line still goes through the two points of its sample. In the right picture it has been fitted once more, by least squares,
+# to its consensus set: step 5 of RANSAC.
+#
+# The runs in the bar at 0 never drew a sample without an outlier, and the refit cannot help them. Look at the others: those that kept less
+# than 90 % before. The refit repairs about four of five of them. That is why step 5 is not a luxury.
 #
 # ## Your RANSAC
+#
+# Your function ends with *one* refit. After it a few more points may lie within the threshold, or a few fewer, so one could fit again to
+# these, and again, until the set no longer changes. Some programs do. Here it is not asked for: the first refit averages over
+# many points instead of two, and after that there is little left to gain. (On our scan, a second refit moves the line by less than
+# two millimetres in most runs.)
 
 # %% exercise="Q3.4"
 
@@ -288,8 +294,10 @@ for share in (0.9, 0.95, 0.99):
 # %% exercise="Q3.7b"
 
 # %% [markdown]
-# The wall's line is pushed to and fro here. Counting goes in steps, and within the lowest one it cannot tell one position from another. Your cost
-# has a single lowest point:
+# Here is the difference. Take the line that fits the wall, push it sideways by a few centimetres, to and fro, and ask for each position what it costs.
+# For the grey curve each point outside the band costs the squared threshold, and a point inside costs nothing: that is
+# counting. It goes in steps, and all positions on its lowest step are equally good to it. The blue curve is your cost. It has a
+# single lowest point:
 
 # %% demo=true
 figures.pushed_line(points[77:131], fit_line(points[77:131]), msac_cost, threshold=0.06)

@@ -23,13 +23,14 @@ class Line(NamedTuple):
 def fit_line(points: np.ndarray, weights: np.ndarray | None = None) -> Line:
     """Return the line with the least sum of squared distances to the points.
 
-    `points` is an (N, 2) array of x and y in metres, all finite; `weights` are N numbers >= 0,
-    not all of them 0, that multiply the squared distances (all 1 if not given). The result has
-    r >= 0 and -pi < alpha <= pi. It is as exact for points 1000 km from the origin as near it.
-    Neither array is changed.
+    `points` is an (N, 2) array of x and y in metres, all finite. `weights` are N numbers, none
+    of them negative and not all of them 0; each multiplies the squared distance of its point.
+    Without them all points count the same. The line has r >= 0 and -pi < alpha <= pi. Points
+    that are 1000 km away from the origin give as exact a line as points near it. Both arrays
+    stay as they are.
 
-    Raises ValueError if the points do not determine a line: fewer than two different
-    points, or a cloud that is equally wide in all directions.
+    Raises ValueError if the points do not determine a line: there are fewer than two different
+    points, or the cloud is equally wide in all directions, as the corners of a square are.
     """
     if np.ma.is_masked(points):  # the mask would be dropped without a word
         raise ValueError("No line: some points are masked; leave them out first.")
@@ -71,9 +72,10 @@ def line_covariance(
 ) -> np.ndarray:
     """Return the (2, 2) covariance of (r, alpha) of the fitted line, in m², m rad and rad².
 
-    `sigma` is the standard deviation of the points' coordinates in metres, not negative and the
-    same in all directions: one number, or one for each point. `weights` are those of `fit_line`.
-    To first order in sigma: right as long as sigma is small against the length of the cloud.
+    `points` is an (N, 2) array in metres. `sigma` is the standard deviation of their coordinates in
+    metres, not negative and the same in all directions: one number, or one for each point.
+    `weights` are those of `fit_line`. The formula holds as long as sigma is small compared with
+    the length of the cloud.
     """
     points = np.asarray(points, dtype=float)
     if not np.all(np.asarray(sigma) >= 0):

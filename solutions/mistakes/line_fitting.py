@@ -152,8 +152,23 @@ def covariance_of_sigma(points, sigma, weights=None):
 
 
 def covariance_of_raw_positions(points, sigma, weights=None):
-    """Takes the spread along the wall about the origin's foot, not about the centre."""
+    """Takes the spread along the wall about the foot of the normal, not about the centre."""
     lever, d_alpha, d_center = _line_derivatives(points)
     spread = 1 / np.sum(d_alpha**2)
-    d_alpha = d_alpha * spread / (spread + len(points) * lever**2)
+    d_alpha = d_alpha * math.sqrt(spread / (spread + len(points) * lever**2))
     return _covariance(d_center + lever * d_alpha, d_alpha, sigma**2)
+
+
+def covariance_with_the_distance_of_the_center(points, sigma, weights=None):
+    """Takes the centre's distance from the origin for the lever, not from the foot."""
+    _, d_alpha, d_center = _line_derivatives(points)
+    lever = math.hypot(*points.mean(axis=0))
+    return _covariance(d_center + lever * d_alpha, d_alpha, sigma**2)
+
+
+def covariance_with_positions_along_y(points, sigma, weights=None):
+    """Takes y for the position along the wall, as if every wall were upright."""
+    r, alpha = fit_line(points)
+    y, center = points[:, 1], points[:, 1].mean()
+    B, t = np.sum((y - center) ** 2), center - r * math.sin(alpha)
+    return sigma**2 * np.array([[1 / len(points) + t * t / B, t / B], [t / B, 1 / B]])

@@ -12,12 +12,13 @@ import math
 
 
 def required_iterations(p: float, w: float, s: int) -> int | float:
-    """Return how many samples RANSAC must draw to get an all-inlier one with probability p.
+    """Return how many samples to draw so that, with probability p, one of them has no outlier.
 
-    `p` is the wanted probability (0 < p < 1), `w` the inlier ratio (0 to 1) and `s` the
-    number of points in a sample (1 or more). The result is the smallest whole number that is
-    enough, to nine digits if it is a very large one. It is right for a tiny w**s, too. For w = 1
-    it is 1. For w = 0 no number is enough: the result is math.inf, or a ValueError is raised.
+    `p` is that probability (0 < p < 1), `w` the share of inliers (0 to 1), and `s` the number of
+    points in a sample (1 or more). The result is the smallest whole number that is enough; of a
+    very large one, nine digits are. It is right even where w**s is so small that 1 - w**s is
+    rounded to 1. For w = 1 one sample is enough: the result is 1. For w = 0 no number is enough:
+    the result is math.inf, or a ValueError is raised.
 
     Raises ValueError if p or w is out of range.
     """

@@ -212,5 +212,27 @@ def test_a_threshold_is_chosen_on_the_walk_and_counted_on_the_queries(shown):
 
     figures.precision_recall({"s": score}, walk, queries, pairs, wrong_costs=20)
     alt = shown[0]["metadata"]["alt"]
-    assert "s, walk: 2 right, 0 wrong, 0 missed loops" in alt
-    assert "s, five queries: 0 right, 0 wrong, 1 missed loops" in alt
+    assert "s, walk, threshold 8: 2 right, 0 wrong, 0 missed loops" in alt
+    assert "s, five queries, threshold 8: 0 right, 0 wrong, 1 missed loops" in alt
+
+
+def test_where_it_is_cheapest_to_close_no_loop_the_picture_says_so(shown):
+    """By hand: the wrong pairs score more than the right ones, and one costs as much as twenty."""
+    walk, pairs = ("0491", "0492", "0499"), [frozenset(("0491", "0492"))]
+
+    def score(name, places):
+        return [1.0 if frozenset((name, place)) in pairs else 2.0 for place in places]
+
+    figures.precision_recall({"s": score}, walk, ("0493",), pairs, wrong_costs=20)
+    alt = shown[0]["metadata"]["alt"]
+    assert "s, walk, above all scores: 0 right, 0 wrong, 2 missed loops" in alt
+
+
+def test_the_still_cloud_has_the_line_that_most_points_agree_with(shown):
+    """By hand: ten points lie on y = 0, whose normal is upright; the outlier is 2 m above them."""
+    points = np.vstack([np.column_stack([np.arange(10.0), np.zeros(10)]), (9, 2)])
+    figures.cloud_views(points)
+    alt = shown[0]["metadata"]["alt"]
+    assert "10 points agree on the dashed line, whose normal is at 90°" in alt
+    assert "The cost is least at" in alt
+    assert "α = 90°" not in alt  # least squares follows the outlier

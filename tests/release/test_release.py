@@ -331,16 +331,106 @@ def test_a_bundle_names_a_wrong_function_by_its_examples(
 def test_a_bundle_names_a_wrong_formula_by_its_values(marker: SnapshotMarker):
     alpha, x_c, y_c = sp.symbols("alpha x_c y_c", real=True)
     right = x_c * sp.cos(alpha) + y_c * sp.sin(alpha)
-    for factor, name in ((-1, "sign turned"), (2, "twice"), (1, None)):
+    for factor, name in ((-1, "wrong sign"), (2, "twice"), (1, None)):
         mark = marker.mark("Q2.2b", evaluate(factor * right, marker.probe("Q2.2b")))
         assert mark.alternative == name
 
 
+@pytest.mark.parametrize(("id", "mistake"), function_ids())
+def test_a_bundle_names_every_public_mistake_of_a_function_as_the_key_does(
+    course: Course, marker: SnapshotMarker, id: str, mistake: str
+):
+    (entry,) = [e for e in course.key[id].alternatives if getattr(e, "function", "") == mistake]
+    with np.errstate(all="ignore"):
+        mark = marker.mark(id, evaluate(load_object(mistake, course.root), marker.probe(id)))
+    assert entry.in_bundle
+    assert mark.alternative == entry.name
+    assert mark.feedback.startswith(entry.feedback)
+
+
+def test_a_bundle_names_every_public_mistake_of_a_formula(course: Course, marker: SnapshotMarker):
+    named = 0
+    for id, answer in course.key.items():
+        for entry in answer.alternatives if isinstance(answer, ExpressionAnswer) else ():
+            if not entry.in_bundle:
+                continue
+            points = marker.probe(id)["points"]
+            values = np.broadcast_to(evaluate_formula(entry.expression, points), (12,))
+            mark = marker.mark(id, {"state": "given", "values": values.astype(complex)})
+            # A sign lost with arctan and with atan2 is one mistake: only the feedback counts.
+            assert (mark.feedback.startswith(entry.feedback), mark.status) == (True, "wrong")
+            named += 1
+    assert named > 40
+
+
+def test_the_hill_is_named_and_the_period_said(marker: SnapshotMarker):
+    S_xx, S_yy, S_xy = sp.symbols("S_xx S_yy S_xy", real=True)
+    valley = sp.atan2(-2 * S_xy, S_yy - S_xx) / 2
+    for turned, words in ((sp.pi, "Right at"), (sp.pi / 2, "on the hill, for every set of points")):
+        said = marker.mark("Q2.2f2", evaluate(valley + turned, marker.probe("Q2.2f2"))).feedback
+        assert words in said
+    assert "or that plus a multiple of π" in said
+    plain = sp.atan(-2 * S_xy / (S_yy - S_xx)) / 2
+    said = marker.mark("Q2.2f2", evaluate(plain, marker.probe("Q2.2f2"))).feedback
+    assert "stationary angle, but not always the valley" in said
+    assert re.search(r"It is right at \d+ of the 12 points of this check\.", said)
+
+
+def test_a_formula_that_holds_what_was_to_be_solved_for_is_told(marker: SnapshotMarker):
+    points = marker.probe("Q2.2b")["points"]
+    mark = marker.mark("Q2.2b", {"state": "given", "values": points["r"].astype(complex)})
+    assert "still depends on r" in mark.feedback
+    assert mark.alternative == "depends on r"
+
+
+def lever_only(points, sigma):
+    """A wrong covariance that nobody foresaw: only the lever's part, and its sign."""
+    return sigma**2 * np.array([[9.0, -2.0], [-2.0, 0.7]])
+
+
+def no_images(image_words, word_count):
+    return [[0] for _ in range(word_count)]
+
+
+def test_what_is_far_off_is_wrong_and_not_left_open(marker: SnapshotMarker):
+    for id, response in (("Q2.4", lever_only), ("Q1.5", no_images)):
+        mark = marker.mark(id, evaluate(response, marker.probe(id)))
+        assert mark.status == "wrong"
+        assert "Recorded" not in mark.feedback
+
+
+def test_an_example_of_each_kind_of_input_that_fails_is_shown(marker: SnapshotMarker):
+    reply = evaluate(lambda p, w, s: round(math.log(1 - p) / math.log(1 - w)), marker.probe("Q3.3"))
+    said = marker.mark("Q3.3", reply).feedback
+    assert said.count("; expected is ") == 3
+
+
+def test_an_iteration_cannot_be_run_in_part(course: Course, marker: SnapshotMarker):
+    given = {"state": "given", "value": 12.34}
+    for id in ("Q3.2.1", "Q3.2.5"):
+        mark = marker.mark(id, given)
+        assert mark.status == "recorded"
+        assert "a whole number is asked for" in mark.feedback
+        assert "round up" in mark.feedback
+        whole = marker.mark(id, {"state": "given", "value": 12})
+        assert whole.feedback == "Recorded. It will be marked after you hand in."
+    assert "from 0 to 1" in marker.mark("Q3.2.4", given).feedback
+
+
+def test_an_exception_in_a_bundle_comes_with_its_message(course: Course, marker: SnapshotMarker):
+    def fails(p, w, s):
+        raise KeyError("no such share")
+
+    reply = evaluate(fails, marker.probe("Q3.3"))
+    assert reply["told"]["message"] == "'no such share'"
+
+
 def test_a_bundle_gives_right_work_in_other_clothes_no_name(course: Course, marker: SnapshotMarker):
-    for id in ("Q1.5", "Q2.3", "Q2.4", "Q3.3"):
+    for id in ("Q1.5", "Q2.3", "Q2.4", "Q3.3", "Q3.4", "Q3.5"):
         for style, function in right_work_of(course, course.question(id)).items():
             mark = marker.mark(id, evaluate(function, marker.probe(id)))
             assert mark.alternative is None, f"{id} {style}: {mark.feedback}"
+            assert mark.status in ("right", "recorded"), f"{id} {style}: {mark.feedback}"
 
 
 def test_a_question_may_opt_out_of_being_checked(orchard: Course, tmp_path: Path):

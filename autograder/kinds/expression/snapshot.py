@@ -8,8 +8,8 @@ from dataclasses import replace
 import numpy as np
 
 from autograder.exchange.messages import Message
-from autograder.kinds.expression.answer import ExpressionAnswer
-from autograder.kinds.expression.equal_values import Points, same_values
+from autograder.kinds.expression.answer import ExpressionAlternative, ExpressionAnswer
+from autograder.kinds.expression.equal_values import Points, nearly_equal, same_values
 from autograder.kinds.expression.marking import POINT_COUNT
 from autograder.kinds.expression.question import Expression
 from autograder.kinds.formula import evaluate_formula
@@ -18,29 +18,40 @@ from autograder.kinds.snapshot import LATER, wrong
 from autograder.language import _
 from autograder.marking.diagnosis.relations import RELATIONS, Diagnosis
 
-_POINTS = 6
+_POINTS = 12
 _TELLING = 4  # different values, for a relation to say anything
 
 
 def take_snapshot(answer: ExpressionAnswer, points: Points) -> Message:
-    """Some of the points, and the values of what is right there."""
-    # Some of both halves, so that what must not depend on a symbol is seen to depend on it.
-    chosen = [*range(_POINTS), *range(POINT_COUNT, POINT_COUNT + _POINTS)]
+    """Some of the points, and the values there of what is right and of the public mistakes."""
+    chosen = list(range(_POINTS))
+    if answer.free_of:
+        # Half of them again, with nothing changed but what the response must not depend on.
+        half = _POINTS // 2
+        chosen = [*range(half), *range(POINT_COUNT, POINT_COUNT + half)]
     points = {name: values[chosen] for name, values in points.items()}
-    accepted = [
-        {
-            "values": np.broadcast_to(
-                evaluate_formula(entry.expression, points), (len(chosen),)
-            ).copy(),
+
+    def at_points(entry: ExpressionAlternative) -> Message:
+        values = np.broadcast_to(evaluate_formula(entry.expression, points), (len(chosen),))
+        return {
+            "values": values.copy(),
             "modulo": float(evaluate_formula(entry.modulo, {})) if entry.modulo else None,
+            "period": (entry.modulo or "").replace("pi", "π"),
         }
-        for entry in answer.alternatives
-        if not entry.is_mistake
-    ]
+
+    right = [entry for entry in answer.alternatives if not entry.is_mistake]
+    public = [entry for entry in answer.alternatives if entry.in_bundle]
     return {
         "checked": answer.snapshot,
         "points": points,
-        "accepted": accepted if answer.snapshot else [],
+        "accepted": [at_points(entry) for entry in right] if answer.snapshot else [],
+        "named": [
+            {"name": entry.name, "feedback": entry.feedback, **at_points(entry)}
+            for entry in public
+            if answer.snapshot
+        ],
+        "free_of": list(answer.free_of),
+        "free_of_feedback": answer.free_of_feedback,
     }
 
 
@@ -58,20 +69,39 @@ def mark_snapshot(question: Expression, snapshot: Message, values: object) -> Ma
             feedback = _("Right at the {count} points of this check.").format(count=count)
             feedback += f" {_(LATER)}"
             return Mark(question.id, "right", 1.0, question.points, feedback)
-    expected = snapshot["accepted"][0]["values"]
+    accepted = snapshot["accepted"][0]
+    expected, modulo = accepted["values"], accepted["modulo"]
+    if snapshot["free_of"] and not nearly_equal(values[: count // 2], values[count // 2 :]):
+        symbols = ", ".join(snapshot["free_of"])
+        said = snapshot["free_of_feedback"] or _("It still depends on {symbols}.").format(
+            symbols=symbols
+        )
+        return replace(wrong(question, said), alternative=f"depends on {symbols}")
     known = np.flatnonzero(np.isfinite(expected))
-    differing = [i for i in known if not np.isclose(values[i], expected[i], rtol=1e-6, atol=1e-9)]
-    at = differing[0] if differing else known[0]
+    equal = [bool(same_values(expected[[i]], values[[i]], modulo)) for i in known]
+    at = known[equal.index(False)] if False in equal else known[0]
     where = ", ".join(f"{name} = {value[at]:.4g}" for name, value in points.items())
     differs = (
         _(
-            "Not equal yet. At {where} it is {value}; expected is {right} (or that plus a "
-            "multiple of a period)."
+            "Not equal yet. At {where} it is {value}; expected is {right}, or that plus a "
+            "multiple of {period}."
         )
-        if snapshot["accepted"][0]["modulo"]
+        if modulo
         else _("Not equal yet. At {where} it is {value}; expected is {right}.")
     )
-    said = differs.format(where=where, value=_number(values[at]), right=_number(expected[at]))
+    said = differs.format(
+        where=where,
+        value=_number(values[at]),
+        right=_number(expected[at]),
+        period=accepted["period"],
+    )
+    if any(equal):
+        right = _("It is right at {count} of the {all} points of this check.")
+        said += " " + right.format(count=sum(equal), all=len(known))
+    for entry in snapshot["named"]:
+        if same_values(entry["values"], values, entry["modulo"]):
+            mark = wrong(question, f"{entry['feedback']} {said}")
+            return replace(mark, alternative=entry["name"])
     found = _related(snapshot["accepted"], values)
     if found is None:
         return wrong(question, said)

@@ -40,6 +40,7 @@ class FunctionKind(CodeKind[Function, FunctionAnswer]):
     parts_heading = N_("Kinds of input")
     fewest_variants = 4
     can_be_read = True
+    hints_in_heading = True
     varies_in_words = True
     question_type = Function
     answer_type = FunctionAnswer
@@ -74,6 +75,9 @@ class FunctionKind(CodeKind[Function, FunctionAnswer]):
         names: Sequence[str],
     ) -> Reading | None:
         return draw_reading(question, answer, drawn, rng, root, names)
+
+    def public_cases(self, drawn: Drawn) -> list[int]:
+        return [i for i, case in enumerate(drawn.expected.cases) if case.get("public")]
 
     def picture(self, answer: FunctionAnswer) -> str | None:
         return answer.picture

@@ -16,7 +16,7 @@ from autograder.exchange.reasons import REASONS
 from autograder.kinds.function.answer import FunctionAlternative, FunctionAnswer
 from autograder.kinds.function.credit import partial_credit
 from autograder.kinds.function.diagnosis import diagnose_function
-from autograder.kinds.function.hints import hint
+from autograder.kinds.function.hints import hints
 from autograder.kinds.function.question import Function
 from autograder.kinds.function.shown import shown_outcome
 from autograder.kinds.mark import NO_VALUE, Mark, Part, status_for
@@ -134,9 +134,9 @@ def mark_function(
     if found is not None:
         diagnosed, feedback = found.name, f"{found.sentence} {feedback}"
         known["evidence"] = found.evidence
-    elif (seen := _smallest_seen(answer, expected, verdicts, tells)) is not None:
+    elif seen := _smallest_seen(answer, expected, verdicts, tells):
         with suppress(Exception):  # what cannot be shown need not be
-            example = hint(question, expected.cases[seen], expected.outcomes[seen], outcomes[seen])
+            example = hints(question, expected.cases, expected.outcomes, outcomes, seen)
             feedback = f"{feedback} {_('For example:')} {example}"
     if found is None:
         with suppress(Exception):  # anything may be in it
@@ -148,8 +148,8 @@ def mark_function(
 
 def _smallest_seen(
     answer: FunctionAnswer, expected: Expected, verdicts: Sequence[bool], tells: bool
-) -> int | None:
-    """The smallest case that is wrong and whose input and result students may see.
+) -> list[int]:
+    """The cases that are wrong and whose input and result students may see, the smallest first.
 
     What was returned for a public input after hidden ones had been sent could carry one of those
     out, so that on a page of feedback only the first case is shown, which was asked alone.
@@ -157,7 +157,7 @@ def _smallest_seen(
     seen = [i for i, case in enumerate(expected.cases) if case.get("public") and not verdicts[i]]
     if not tells:
         seen = [i for i in seen if i == 0 and answer.picture]
-    return min(seen, key=lambda i: _size(expected.cases[i]["args"]), default=None)
+    return sorted(seen, key=lambda i: _size(expected.cases[i]["args"]))
 
 
 def fingerprint(outcomes: object) -> str:

@@ -8,9 +8,10 @@ import numpy as np
 
 from autograder.exchange.messages import Value
 from autograder.kinds.function.diagnosis import diagnose_function
-from autograder.kinds.function.hints import hint
+from autograder.kinds.function.hints import hints
 from autograder.kinds.function.marking import agrees, close, nearly
 from autograder.kinds.function.question import Function
+from autograder.kinds.function.relaxed import is_far
 from autograder.kinds.mark import Mark, Part, stopped
 from autograder.kinds.snapshot import LATER
 from autograder.language import _, n_
@@ -42,11 +43,18 @@ def mark_snapshot(question: Function, snapshot: dict[str, Value], outcomes: list
         ).format(count=len(cases))
         feedback += f" {_(LATER)}"
         return Mark(question.id, "right", 1.0, question.points, feedback, parts=parts)
-    first = verdicts.index(False)
     failing = ", ".join(part.label for part in parts if not part.right)
-    case = cases[first]
-    example = hint(question, case, case["expected"], outcomes[first])
-    if snapshot["forgiving"] and not any(map(_is_wrong, cases, outcomes)):
+    right = [case["expected"] for case in cases]
+    wrong = [index for index, verdict in enumerate(verdicts) if not verdict]
+    example = hints(question, cases, right, outcomes, wrong)
+    known = _known_mistake(cases, outcomes, verdicts, snapshot["named"])
+    if known is not None:
+        feedback = _("Not yet right for: {failing}.").format(failing=failing) + f" {example}"
+        feedback = f"{known['feedback']} {feedback}"
+        return Mark(
+            question.id, "wrong", 0.0, question.points, feedback, known["name"], parts=parts
+        )
+    if snapshot["forgiving"] and not any(_is_wrong(cases[i], outcomes[i]) for i in wrong):
         feedback = (
             _("Recorded. It differs from one right result, and may be right all the same.")
             + f" {example}"
@@ -58,6 +66,24 @@ def mark_snapshot(question: Function, snapshot: dict[str, Value], outcomes: list
     if found:
         feedback = f"{found.sentence} {feedback}"
     return Mark(question.id, "wrong", 0.0, question.points, feedback, name, parts=parts)
+
+
+def _known_mistake(
+    cases: list[dict[str, Value]],
+    outcomes: list[Value],
+    verdicts: list[bool],
+    named: list[dict[str, Value]],
+) -> dict[str, Value] | None:
+    """The public mistake that gives these outcomes: wrong where it is wrong, in the same way."""
+    for mistake in named:
+        theirs = mistake["outcomes"]
+        if all(
+            verdict == agrees(close, case, case["expected"], wrong)
+            and (verdict or agrees(nearly, case, wrong, outcome))
+            for case, verdict, wrong, outcome in zip(cases, verdicts, theirs, outcomes, strict=True)
+        ):
+            return mistake
+    return None
 
 
 def _diagnosis(
@@ -85,6 +111,8 @@ def _is_near(case: dict[str, Value], outcome: Value) -> bool:
 def _is_wrong(case: dict[str, Value], outcome: object) -> bool:
     """Whether an outcome is nothing like the right one, or that of a known mistake."""
     if not (isinstance(outcome, dict) and "value" in outcome and "value" in case["expected"]):
+        return True
+    if "far" in case and is_far(case["far"], case["expected"]["value"], outcome["value"]):
         return True
     return not _alike(case["expected"]["value"], outcome["value"]) or any(
         agrees(close, case, wrong, outcome) for wrong in case["wrong"]

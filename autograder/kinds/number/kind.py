@@ -16,6 +16,7 @@ from autograder.kinds.number.question import Number
 from autograder.kinds.number.sensible import not_sensible
 from autograder.kinds.number.typed import read_number
 from autograder.kinds.typed import assign_if_open
+from autograder.language import _
 
 if TYPE_CHECKING:
     from autograder.kinds.number.widget import NumberWidget
@@ -60,6 +61,20 @@ class NumberKind(CodeKind[Number, NumberAnswer]):
         if not _is_finite_number(value):
             return None
         return mark_number(question, answer, value, understood, drawn.around)
+
+    def remark(self, question: Number, response: dict[str, object]) -> str:
+        value = response.get("value")
+        if not _is_finite_number(value):
+            return ""
+        said = []
+        if question.integer and value != round(value):
+            said = [_("But a whole number is asked for, and this is none."), question.rounding]
+        if question.between is not None and not question.between[0] <= value <= question.between[1]:
+            low, high = (f"{bound:.10g}" for bound in question.between)
+            said.append(
+                _("But a number from {low} to {high} is asked for.").format(low=low, high=high)
+            )
+        return " ".join(filter(None, said))
 
     def widget(
         self, desk: Desk, question: Number, value: object = ..., mark: Mark | None = None

@@ -32,7 +32,7 @@ def mark_number(
     }
     for alternative in answer.alternatives:
         if abs(value - alternative.value) <= _tolerance(question, alternative, value):
-            known["understood"] = known["understood"] or _with_unit(value, question)
+            known["understood"] = known["understood"] or question.in_unit(value)
             return Mark(
                 question.id,
                 status_for(alternative.credit),
@@ -86,10 +86,6 @@ def _last_place(value: int | float) -> float:
 def _as_number(understood: str, question: Number) -> str:
     """The text as a number with its unit; nothing if it is none, such as sympy's ``log(3)``."""
     try:
-        return _with_unit(float(understood), question)
+        return question.in_unit(float(understood))
     except ValueError:
         return ""
-
-
-def _with_unit(value: int | float, question: Number) -> str:
-    return f"{value:.10g}" + (f" {question.unit}" if question.unit else "")

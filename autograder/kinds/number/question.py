@@ -18,12 +18,23 @@ class Number(PointedQuestion, frozen=True, kw_only=True, tag="number"):
     integer: bool = False
     decimals: Annotated[int, Meta(ge=0, le=15, description="how many are asked for")] | None = None
     unit: str = ""
+    unit_of_one: Annotated[str, Meta(description="the unit after 1, if it differs")] = ""
+    rounding: Annotated[
+        str, Meta(description="said of a value that is not whole: which way to round, and why")
+    ] = ""
+    between: Annotated[
+        tuple[float, float] | None, Meta(description="the least and the largest value there can be")
+    ] = None
 
     def __post_init__(self) -> None:
         super().__post_init__()
         check_python_name("variable", self.variable)
         if self.integer == (self.decimals is not None):
             raise ValueError("say either integer = true or decimals = N")
+        if self.rounding and not self.integer:
+            raise ValueError("rounding is for integer = true")
+        if self.between is not None and not self.between[0] < self.between[1]:
+            raise ValueError("the first number of between must be below the second")
 
     @property
     def name(self) -> str | None:
@@ -34,6 +45,11 @@ class Number(PointedQuestion, frozen=True, kw_only=True, tag="number"):
     def tolerance(self) -> float:
         """How far a value may be from a stated one and still be that value."""
         return 1e-9 if self.decimals is None else 0.5 * 10.0**-self.decimals * (1 + 1e-9)
+
+    def in_unit(self, value: int | float) -> str:
+        """A value with its unit, as people read it."""
+        unit = self.unit_of_one if value == 1 and self.unit_of_one else self.unit
+        return f"{value:.10g} {unit}".strip()
 
     def printed(self, value: float) -> str:
         """A value with as many digits as are asked for."""

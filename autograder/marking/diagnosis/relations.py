@@ -65,7 +65,7 @@ RELATIONS = tuple(
     for name, words, change in (
         (
             "sign turned",
-            N_("the sign is turned round; check it on the smallest example"),
+            N_("the sign is turned round; try it on an example small enough to do by hand"),
             lambda x: -x,
         ),
         ("without its sign", N_("the sign was dropped; a value may be negative here"), np.abs),

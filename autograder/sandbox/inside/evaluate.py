@@ -6,7 +6,8 @@ answer. What comes back is one of::
     {"state": "not attempted"}
     {"state": "given", ...}             value, values or outcomes
     {"state": "unusable", "reason": ..} one of `autograder.exchange.reasons.REASONS`
-    {"state": "raised", "error": ..}    the class of the exception, never its text
+    {"state": "raised", "error": ..}    the class of the exception, and its text only ("told")
+                                        where the probe says that nothing in it is hidden
 
 How a response is read is the business of its kind: the probe names the kind, and the module whose
 ``evaluate`` does it where that is not in the kind's folder here. The trusted side decides what it
@@ -21,6 +22,7 @@ from contextlib import suppress
 
 import autograder.kinds
 from autograder.exchange.messages import Message
+from autograder.sandbox.inside.exceptions import tell
 from autograder.sandbox.inside.plain_data import Unusable, describe, public_name
 
 __all__ = ["describe", "evaluate", "load_kinds"]
@@ -39,7 +41,8 @@ def evaluate(response: object, probe: Message) -> Message:
     except Unusable as unusable:
         return {"state": "unusable", "reason": str(unusable)}
     except Exception as error:
-        return {"state": "raised", "error": public_name(error)}
+        told = {"told": tell(error)} if probe.get("tell") is True else {}
+        return {"state": "raised", "error": public_name(error), **told}
 
 
 def load_kinds() -> None:

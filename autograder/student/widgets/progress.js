@@ -10,7 +10,7 @@ function render({ model, el }) {
   function draw() {
     const { chapters } = model.get("state");
     list.replaceChildren(
-      ...chapters.map(({ title, answered, questions, marks, points, most }) => {
+      ...chapters.map(({ title, answered, questions, open, later, marks, points, most }) => {
         const said = t("{answered} of {questions} answered", { answered, questions });
         const bar = make("progress", {
           class: "ag-bar",
@@ -19,7 +19,17 @@ function render({ model, el }) {
           "aria-label": `${title}: ${said}`,
         });
         const earned = marks ? `${said} · ${t("{points} of {most} points", { points, most })}` : said;
-        return make("li", {}, make("span", { class: "ag-title" }, title), bar, make("span", {}, earned));
+        const remarks = [];
+        if (answered && open.length) remarks.push(t("Open: {questions}.", { questions: open.join(", ") }));
+        if (later.length) remarks.push(t("Marked after you hand in: {questions}.", { questions: later.join(", ") }));
+        return make(
+          "li",
+          {},
+          make("span", { class: "ag-title" }, title),
+          bar,
+          make("span", {}, earned),
+          remarks.length ? make("p", { class: "ag-remarks" }, remarks.join(" ")) : null,
+        );
       }),
     );
   }

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from autograder.student.desk import Desk
-from autograder.student.responses import answered, points
+from autograder.student.responses import answered, only_recorded, points
 from autograder.student.views import number
 from autograder.student.widgets.base import CourseWidget, source
 
@@ -30,6 +30,8 @@ class ProgressWidget(CourseWidget):
                     "title": chapter.title,
                     "answered": sum(answered(entries.get(q.id)) for q in chapter.questions),
                     "questions": len(chapter.questions),
+                    "open": [q.id for q in chapter.questions if not answered(entries.get(q.id))],
+                    "later": [q.id for q in chapter.questions if only_recorded(entries.get(q.id))],
                     # Points that leave out what is only recorded would say little.
                     "marks": all(map(self.desk.can_mark, chapter.questions)),
                     "points": number(sum(points(entries.get(q.id)) for q in chapter.questions)),

@@ -16,6 +16,7 @@ function render({ model, el }) {
     const questions = state.chapters.flatMap((chapter) => chapter.questions);
     const open = questions.filter((question) => !question.answered).length;
     const warnings = [];
+    if (state.nameless) warnings.push(state.nameless.replaceAll("`", ""));
     if (state.warning) warnings.push(state.warning.replaceAll("`", ""));
     if (state.stale) warnings.push(t("Something has changed since. Pack again to hand that in too."));
     place.replaceChildren(

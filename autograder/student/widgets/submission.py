@@ -37,6 +37,7 @@ class SubmissionWidget(CourseWidget):
             "names": list(packed.packed.names),
             "warning": packed.warning,
             "advice": packed.advice,
+            "nameless": packed.nameless,
             "taken": packed.taken,
             "chapters": [
                 {

@@ -27,7 +27,10 @@ def evaluate(response: object, probe: Message) -> Message:
         raise Unusable("not a function")
     outcomes: list[Message] = []
     told = None
-    for case in probe["cases"]:
+    # Only of inputs that are not hidden, or before a hidden one was sent: a message may quote what
+    # the function was called with.
+    telling = probe.get("tell", ())
+    for place, case in enumerate(probe["cases"]):
         arguments = [_argument(argument) for argument in case["args"]]
         keywords = {name: _argument(value) for name, value in case.get("kwargs", {}).items()}
         try:
@@ -48,9 +51,9 @@ def evaluate(response: object, probe: Message) -> Message:
             outcomes.append({"unusable": str(unusable)})
         except Exception as error:
             outcomes.append({"raised": public_name(error)})
-            told = told or tell(error)
-    # Only where nothing hidden has been sent yet: a message may quote what it was called with.
-    return {"outcomes": outcomes, **({"told": told} if told and probe.get("tell") else {})}
+            if told is None and (telling is True or place in telling):
+                told = tell(error)
+    return {"outcomes": outcomes, **({"told": told} if told else {})}
 
 
 def _argument(value: object) -> Value:
