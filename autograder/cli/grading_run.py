@@ -32,6 +32,7 @@ from autograder.intake.shelf import Shelf
 from autograder.intake.submissions import Submission
 from autograder.intake.summary import Summary
 from autograder.intake.times import changed_since, snapshot_class
+from autograder.language import _, n_
 from autograder.marking.marker import Marker
 from autograder.reports.machine import change_fields, record_fields
 from autograder.reports.pictures import Pictures
@@ -67,8 +68,10 @@ def grade_and_report(
     tally = Tally(book)
     if parsed.no_sandbox:
         warn(
-            "--no-sandbox: nothing holds student code back. It can read and change your files, and "
-            "use your network, as you can. Every report says so."
+            _(
+                "--no-sandbox: nothing holds student code back. It can read and change your files, "
+                "and use your network, as you can. Every report says so."
+            )
         )
     people = {row.submission.student: row.match.people for row in summary.rows if row.match.people}
     if not parsed.dry_run:
@@ -144,8 +147,10 @@ def grade_and_report(
     if tally.changed and console.is_terminal:
         print_changes(console, tally.earned, tally.changes())
     elif tally.changed:
-        console.print(f"{len(tally.changed)} marks of {len(tally.earned)} students changed.")
-    said = f" (read as {'; '.join(summary.rules)})" if summary.rules else ""
+        changed = _("{marks} marks of {students} students changed.")
+        console.print(changed.format(marks=len(tally.changed), students=len(tally.earned)))
+    said = f" {_('(read as {rules})').format(rules='; '.join(summary.rules))}"
+    said = said if summary.rules else ""
     console.print(f"{summary.sentence()}{said}; {written}.", soft_wrap=True, markup=False)
     return ended
 
@@ -231,16 +236,22 @@ def _look_again(
     summary.unreadable = frozenset(tally.unreadable)
     if tally.passed_by:
         summary.warnings.append(
-            f"The work of {', '.join(tally.passed_by)} stopped the grader twice and was passed "
-            "by; mark it by hand. After a change of the autograder, `autograder regrade` tries it "
-            "again."
+            _(
+                "The work of {students} stopped the grader twice and was passed by; mark it by "
+                "hand. After a change of the autograder, `autograder regrade` tries it again."
+            ).format(students=", ".join(tally.passed_by))
         )
     altered = changed_since(handed_in)
     if altered:
         named = ", ".join(str(path) for path in altered[:5])
         summary.warnings.append(
-            f"{len(altered)} files changed while they were graded ({named}); what was handed in "
-            "was read before or after that. Look at them, and grade again."
+            n_(
+                "{count} file changed while it was graded ({files}); what was handed in was read "
+                "before or after that. Look at it, and grade again.",
+                "{count} files changed while they were graded ({files}); what was handed in was "
+                "read before or after that. Look at them, and grade again.",
+                len(altered),
+            ).format(count=len(altered), files=named)
         )
 
 
@@ -260,10 +271,13 @@ def _after_interruption(
         book.set_lateness((row.submission.student, row.lateness()) for row in rows)
         options = Options(parsed.out, students, summary.class_list)
         write_reports(course, book, options)
-        kept = "their reports are written; run it again to go on"
+        said = _(
+            "Stopped: {some} of {all} were graded; their reports are written; run it again to go "
+            "on."
+        )
     else:
-        kept = "nothing was written"
-    warn(f"Stopped: {tally.count} of {count} were graded; {kept}.")
+        said = _("Stopped: {some} of {all} were graded; nothing was written.")
+    warn(said.format(some=tally.count, all=count))
     return INTERRUPTED
 
 
@@ -316,4 +330,4 @@ def _tell_dry_run(
         print_json({"dry_run": True, "changed": [change_fields(change) for change in changed]})
         return
     print_changes(console, tally.earned, changed)
-    console.print(f"{tally.count} graded on trial; nothing was written.")
+    console.print(_("{count} graded on trial; nothing was written.").format(count=tally.count))

@@ -23,6 +23,7 @@ from autograder.cli.common import (
     print_json,
 )
 from autograder.cli.status import BROKEN, DONE
+from autograder.language import _
 
 if TYPE_CHECKING:
     from autograder.intake.summary import Summary
@@ -61,12 +62,17 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
     _print_table(console, summary)
     for entry in summary.passed_over:
         console.print(
-            printable(f"passed over: {entry.place} ({entry.reason})"), markup=False, soft_wrap=True
+            printable(
+                _("passed over: {path} ({reason})").format(path=entry.place, reason=entry.reason)
+            ),
+            markup=False,
+            soft_wrap=True,
         )
     for remark in summary.remarks():
         warn(remark)
     said = "; ".join(summary.rules)
-    console.print(f"{summary.sentence()}; read as {said}.", markup=False, soft_wrap=True)
+    closing = _("{summary}; read as {rules}.").format(summary=summary.sentence(), rules=said)
+    console.print(closing, markup=False, soft_wrap=True)
     return BROKEN if parsed.strict and summary.needs_person else DONE
 
 

@@ -18,6 +18,7 @@ from autograder.cli.common import (
     print_json,
 )
 from autograder.cli.status import DONE
+from autograder.language import _, n_
 
 
 def add(commands: Commands) -> None:
@@ -64,18 +65,27 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
         return DONE
     if not entries:
         console.print(
-            f"No wrong response without a name was given by {parsed.least} or more; "
-            "--least 1 shows all."
+            _(
+                "No wrong response without a name was given by {count} or more; --least 1 shows "
+                "all."
+            ).format(count=parsed.least)
         )
     for cluster, entry in entries:
         count = len(cluster.students)
         console.print(
-            f"{cluster.question}: {count} response{'s' * (count > 1)} with the same outcomes, "
-            f"{json.dumps(list(cluster.students), ensure_ascii=False)}. One of them:",
+            n_(
+                "{question}: {count} response with the same outcomes, {students}. One of them:",
+                "{question}: {count} responses with the same outcomes, {students}. One of them:",
+                count,
+            ).format(
+                question=cluster.question,
+                count=count,
+                students=json.dumps(list(cluster.students), ensure_ascii=False),
+            ),
             markup=False,
         )
         console.print(cluster.typical or cluster.feedback, markup=False, highlight=False)
-        console.print("For the answers (give it a name and feedback, then run check):")
+        console.print(_("For the answers (give it a name and feedback, then run check):"))
         console.print(entry, markup=False, highlight=False)
         console.print()
     return DONE

@@ -21,6 +21,7 @@ from autograder.cli.common import (
     print_json,
 )
 from autograder.cli.status import DONE
+from autograder.language import _, n_
 
 if TYPE_CHECKING:
     from autograder.reports.similarity import Code, Pair
@@ -68,7 +69,7 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
         submissions = find_submissions(parsed.paths, course.settings)
     else:
         with Gradebook(gradebook_path(parsed), create=False) as book:
-            records, _ = with_people(book.records(), find_class_list(parsed, book))
+            records, _matches = with_people(book.records(), find_class_list(parsed, book))
             submissions = [record.graded.submission for record in records]
             names = names_of(records)
     untouched = [
@@ -114,9 +115,13 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
             soft_wrap=True,
         )
     console.print(
-        f"{len(pairs)} pairs among {len(students)} submissions and what is public are alike; "
-        f"{path} is written. "
-        "Likeness is a reason to read both, not a proof.",
+        n_(
+            "{count} pair among {all} submissions and what is public is alike; {path} is written.",
+            "{count} pairs among {all} submissions and what is public are alike; {path} is "
+            "written.",
+            len(pairs),
+        ).format(count=len(pairs), all=len(students), path=path)
+        + f" {_('Likeness is a reason to read both, not a proof.')}",
         markup=False,
         soft_wrap=True,
     )
@@ -125,11 +130,18 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
 
 def _sentence(pair: Pair, names: Mapping[str, str]) -> str:
     first, second = (names.get(name, name) for name in (pair.first, pair.second))
-    alike = f"{pair.first_share:.0%} of {first}'s own work"
+    alike = _("{share} of {name}'s own work").format(share=f"{pair.first_share:.0%}", name=first)
     if pair.second_share is not None:
-        alike += f" and {pair.second_share:.0%} of {second}'s"
-    places = f"“{pair.lines[0][:60]}” and “{pair.lines[1][:60]}”"
-    return f"{pair.share:4.0%}  {first} and {second}: {alike} is alike, as at {places}"
+        both = _("{alike} and {share} of {name}'s")
+        alike = both.format(alike=alike, share=f"{pair.second_share:.0%}", name=second)
+    said = _("{first} and {second}: {alike} is alike, as at “{one}” and “{other}”").format(
+        first=first,
+        second=second,
+        alike=alike,
+        one=pair.lines[0][:60],
+        other=pair.lines[1][:60],
+    )
+    return f"{pair.share:4.0%}  {said}"
 
 
 def _public(root: Path) -> dict[str, Code]:

@@ -20,6 +20,7 @@ from typing import Protocol
 from autograder.errors import machine_error, refuse_link
 from autograder.intake.submissions import Submission
 from autograder.intake.times import snapshot
+from autograder.language import N_
 
 try:
     import fcntl
@@ -27,7 +28,7 @@ except ImportError:  # Windows: there two graders of one gradebook may suspect e
     fcntl = None  # type: ignore[assignment]
 
 PASSED_BY = 2  # deaths, the last of them with nothing else at work
-STOPPED_THE_GRADER = (
+STOPPED_THE_GRADER = N_(  # as it is in the gradebook; translated where it is shown
     "This submission stopped the grader itself, and it was passed by; the points say nothing about "
     "the work. Mark it by hand, and report the failure."
 )

@@ -9,8 +9,9 @@ from autograder.course import Course
 from autograder.grading.graded import Graded
 from autograder.intake.person import Person
 from autograder.kinds.variables import canonical
+from autograder.language import N_, _
 
-NOT_THEIRS = "This was done with the numbers of somebody else, which counts for nothing here."
+NOT_THEIRS = N_("This was done with the numbers of somebody else, which counts for nothing here.")
 
 
 def compare_numbers(graded: Graded, course: Course, people: Iterable[Person]) -> Graded:
@@ -23,15 +24,16 @@ def compare_numbers(graded: Graded, course: Course, people: Iterable[Person]) ->
         return graded
     people = list(people)
     if not graded.numbers_of:
-        said = "It does not say who it is from, so it was marked with the numbers of the sheet."
+        said = _("It does not say who it is from, so it was marked with the numbers of the sheet.")
         return replace(graded, notes=(*graded.notes, said))
     if not people or canonical(graded.numbers_of) in _names(graded, people):
         return graded
-    said = f"It was done and marked with the numbers of {graded.numbers_of!r}, not with their own."
+    said = _("It was done and marked with the numbers of {name}, not with their own.")
+    said = said.format(name=repr(graded.numbers_of))
     marks = graded.marks
     if not course.others_count:
         marks = tuple(
-            replace(mark, status="wrong", credit=0.0, feedback=NOT_THEIRS)
+            replace(mark, status="wrong", credit=0.0, feedback=_(NOT_THEIRS))
             if mark.question in course.varied and mark.credit
             else mark
             for mark in marks

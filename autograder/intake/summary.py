@@ -24,6 +24,7 @@ from autograder.intake.place import DiskPlace
 from autograder.intake.shelf import Shelf
 from autograder.intake.submissions import Submission
 from autograder.intake.times import doubt, snapshot
+from autograder.language import _, n_
 
 _NAMED = 8
 
@@ -82,17 +83,27 @@ class Summary:
 
     def sentence(self) -> str:
         """The truth in one line."""
-        parts = [f"{len(self.rows)} handed in", f"{len(self.unreadable)} unreadable"]
+        parts = [
+            _("{count} handed in").format(count=len(self.rows)),
+            _("{count} unreadable").format(count=len(self.unreadable)),
+        ]
         if self.class_list.students:
-            verb = "belongs" if len(self.nobodys) == 1 else "belong"
-            parts.append(f"{len(self.nobodys)} {verb} to nobody")
+            count = len(self.nobodys)
+            said = n_("{count} belongs to nobody", "{count} belong to nobody", count)
+            parts.append(said.format(count=count))
         if self.class_list.late is not None or self.late:
-            parts.append(f"{len(self.late)} late")
+            parts.append(_("{count} late").format(count=len(self.late)))
         if self.class_list.students:
-            parts.append(f"{len(self.missing)} of the list handed in nothing")
+            count = len(self.missing)
+            said = n_(
+                "{count} of the list handed in nothing",
+                "{count} of the list handed in nothing",
+                count,
+            )
+            parts.append(said.format(count=count))
         count = sum(entry.needs_person for entry in self.passed_over)
         if count:
-            parts.append(f"{count} passed over")
+            parts.append(_("{count} passed over").format(count=count))
         return ", ".join(parts)
 
     def remarks(self) -> list[str]:
@@ -100,15 +111,29 @@ class Summary:
         said = list(self.warnings)
         for row in self.nobodys[:_NAMED]:
             said.append(
-                f"{row.submission.student} belongs to nobody: {row.match.reason}. "
-                f"In students.toml: {row.match.line}"
+                _("{student} belongs to nobody: {reason}. In students.toml: {line}").format(
+                    student=row.submission.student, reason=row.match.reason, line=row.match.line
+                )
             )
         if len(self.nobodys) > _NAMED:
-            said.append(f"{len(self.nobodys) - _NAMED} more belong to nobody; see --json.")
+            left = len(self.nobodys) - _NAMED
+            more = n_(
+                "{count} more belongs to nobody; see --json.",
+                "{count} more belong to nobody; see --json.",
+                left,
+            )
+            said.append(more.format(count=left))
         needed = [entry for entry in self.passed_over if entry.needs_person]
-        said += [f"{entry.place} was passed over: {entry.reason}." for entry in needed[:_NAMED]]
+        passed = _("{path} was passed over: {reason}.")
+        said += [passed.format(path=entry.place, reason=entry.reason) for entry in needed[:_NAMED]]
         if len(needed) > _NAMED:
-            said.append(f"{len(needed) - _NAMED} more were passed over; see --json.")
+            left = len(needed) - _NAMED
+            more = n_(
+                "{count} more was passed over; see --json.",
+                "{count} more were passed over; see --json.",
+                left,
+            )
+            said.append(more.format(count=left))
         return said
 
     def to_dict(self) -> dict[str, object]:

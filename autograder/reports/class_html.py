@@ -8,6 +8,7 @@ import numpy as np
 
 from autograder.course import Course
 from autograder.gradebook import ClassView, Record, Run
+from autograder.language import N_, _, chosen, n_
 from autograder.reports.gather import ClassFindings, gather
 from autograder.reports.markdown import inline, text
 from autograder.reports.page import page, table
@@ -33,11 +34,11 @@ from autograder.reports.svg import (
 )
 
 _BANDS = (
-    (("right",), "right", BLUE, ""),
-    (("partial",), "partly right", ORANGE, "stripes"),
-    (("wrong",), "wrong", RED, "crosses"),
-    (STOPPED, "exception, limit or unreadable", PURPLE, "dots"),
-    (("not attempted", "recorded"), "not attempted", GRAY, "lines"),
+    (("right",), N_("right"), BLUE, ""),
+    (("partial",), N_("partly right"), ORANGE, "stripes"),
+    (("wrong",), N_("wrong"), RED, "crosses"),
+    (STOPPED, N_("exception, limit or unreadable"), PURPLE, "dots"),
+    (("not attempted", "recorded"), N_("not attempted"), GRAY, "lines"),
 )
 _MOST_MISTAKES = 20
 
@@ -55,43 +56,63 @@ def class_html(
     ``intake`` is what the last run said of what was handed in; ``found`` is what was gathered from
     the records, if that was done before.
     """
-    header = ["<h1>The class</h1>"]
+    title = _("The class")
+    header = [f"<h1>{title}</h1>"]
     if not len(records):
-        return page("The class", header[0], "<p>Nothing was graded yet.</p>", "")
+        nothing = f"<p>{_('Nothing was graded yet.')}</p>"
+        return page(title, header[0], nothing, "", language=chosen())
     found = found or gather(course, records)
     most, statistics = found.most, found.questions
     links = Links(found.names)
     totals = np.array(found.totals)
-    header.append(
-        f'<p class="total"><strong>{found.count}</strong> submissions, median '
-        f"<strong>{np.median(totals):.4g}</strong> of {most:g} points</p>"
-        f'<p class="soft">Mean {totals.mean():.3g}, standard deviation {totals.std():.3g}, '
-        f"from {totals.min():g} to {totals.max():g}.</p>"
+    total = n_(
+        "{count} submission, median {median} of {most} points",
+        "{count} submissions, median {median} of {most} points",
+        found.count,
+    ).format(
+        count=f"<strong>{found.count}</strong>",
+        median=f"<strong>{np.median(totals):.4g}</strong>",
+        most=f"{most:g}",
     )
+    spread = _("Mean {mean}, standard deviation {deviation}, from {low} to {high}.").format(
+        mean=f"{totals.mean():.3g}",
+        deviation=f"{totals.std():.3g}",
+        low=f"{totals.min():g}",
+        high=f"{totals.max():g}",
+    )
+    header.append(f'<p class="total">{total}</p><p class="soft">{spread}</p>')
     if intake:
         header.append(f'<p class="soft">{text(intake)}.</p>')
     if run is not None and run.isolation:
-        header.append(f'<p class="soft">Student code was isolated with {text(run.isolation)}.</p>')
+        said = _("Student code was isolated with {isolation}.")
+        header.append(f'<p class="soft">{said.format(isolation=text(run.isolation))}</p>')
     to_do = to_do_html(view, found, links) if view is not None else ""
     predictions = predictions_html(found.predicted, found.count)
     sections = [
-        *([_section("What needs a person", to_do)] if to_do else []),
-        _section("Who needs help", needy_html(course, found, links)),
-        _section("Points", _points(course, found, totals)),
-        _section("Questions that look broken", _broken(statistics, found.count)),
-        _section("Questions", _questions(statistics)),
-        _section("The most common mistakes", _mistakes(found.mistakes, links)),
-        *([_section("Numbers that vary", _variants(found))] if found.difficulties else []),
-        *([_section("What was predicted", predictions)] if predictions else []),
-        _section("Time and failures", _time_and_failures(found, run, links)),
+        *([_section(_("What needs a person"), to_do)] if to_do else []),
+        _section(_("Who needs help"), needy_html(course, found, links)),
+        _section(_("Points"), _points(course, found, totals)),
+        _section(_("Questions that look broken"), _broken(statistics, found.count)),
+        _section(_("Questions"), _questions(statistics)),
+        _section(_("The most common mistakes"), _mistakes(found.mistakes, links)),
+        *([_section(_("Numbers that vary"), _variants(found))] if found.difficulties else []),
+        *([_section(_("What was predicted"), predictions)] if predictions else []),
+        _section(_("Time and failures"), _time_and_failures(found, run, links)),
     ]
-    predicted = "class_predictions.csv, " if course.predictions else ""
-    footer = (
-        "<p>The same as tables: class_questions.csv, class_mistakes.csv, class_students.csv, "
-        f"{predicted}and grades.csv with every mark. This page names students; "
-        "keep it among instructors.</p>"
+    files = ["class_questions.csv", "class_mistakes.csv", "class_students.csv"]
+    files += ["class_predictions.csv"] if course.predictions else []
+    same = _(
+        "The same as tables: {files}, and grades.csv with every mark. This page names students; "
+        "keep it among instructors."
+    ).format(files=", ".join(files))
+    return page(
+        title,
+        "\n".join(header),
+        "\n".join(sections),
+        f"<p>{same}</p>",
+        wide=True,
+        language=chosen(),
     )
-    return page("The class", "\n".join(header), "\n".join(sections), footer, wide=True)
 
 
 def _section(title: str, body: str) -> str:
@@ -106,8 +127,10 @@ def _points(course: Course, found: ClassFindings, totals: np.ndarray) -> str:
         mean = found.chapters[chapter.title] / found.count
         share = 100 * mean / possible if possible else 0.0
         rows.append([text(chapter.title), f"{mean:.1f}", f"{possible:g}", f"{share:.0f} %"])
-    chapters = table("Each chapter", ["chapter", "mean", "of", "share"], rows, {1, 2, 3})
-    chart = histogram(totals.tolist(), 0, found.most, bins, "points", "Points")
+    chapters = table(
+        _("Each chapter"), [_("chapter"), _("mean"), _("of"), _("share")], rows, {1, 2, 3}
+    )
+    chart = histogram(totals.tolist(), 0, found.most, bins, _("points"), _("Points"))
     return f'<div class="pair"><figure>{chart}</figure><div>{chapters}</div></div>'
 
 
@@ -121,15 +144,18 @@ def _broken(statistics: Sequence[QuestionStatistics], count: int) -> str:
     if entries:
         return f"<ul>{''.join(entries)}</ul>"
     if count < FEWEST:
-        return f"<p>With fewer than {FEWEST} submissions that would be guesswork.</p>"
-    return "<p>None.</p>"
+        said = _("With fewer than {count} submissions that would be guesswork.")
+        return f"<p>{said.format(count=FEWEST)}</p>"
+    return f"<p>{_('None.')}</p>"
 
 
 def _questions(statistics: Sequence[QuestionStatistics]) -> str:
-    key = "".join(f"<li>{swatch(color, pattern)}{name}</li>" for _, name, color, pattern in _BANDS)
+    key = "".join(
+        f"<li>{swatch(color, pattern)}{_(name)}</li>" for _which, name, color, pattern in _BANDS
+    )
     rows = []
     for entry in statistics:
-        counts = [sum(entry.statuses[s] for s in band) for band, _, _, _ in _BANDS]
+        counts = [sum(entry.statuses[s] for s in band) for band, *_look in _BANDS]
         rows.append(
             [
                 f"{text(entry.question.id)} {inline(entry.question.title)}",
@@ -140,18 +166,23 @@ def _questions(statistics: Sequence[QuestionStatistics]) -> str:
                 str(entry.unnamed),
             ]
         )
-    header = ["question", "points", "right", "partly", "wrong", "stopped", "open"]
-    header += ["earned", "discrimination", "unnamed"]
+    header = [_("question"), _("points"), _("right"), _("partly"), _("wrong"), _("stopped")]
+    header += [_("open"), _("earned"), _("discrimination"), _("unnamed")]
+    explained = _(
+        "Earned: mean share of the points among those who tried. Discrimination: correlation of a "
+        "student’s points here with the points for all other questions; near or below 0 is suspect."
+    )
+    words = _(
+        "Stopped: exception, time limit, crash or unreadable. Open: not attempted. Unnamed: wrong "
+        "or partly right, and like no mistake in the key."
+    )
     return (
         f'{definitions()}<div class="pair"><figure>{_bands(statistics)}<figcaption>'
         f'<ul class="key">{key}</ul>'
-        f"</figcaption></figure><figure>{_scatter(statistics)}<figcaption>Earned: mean share of "
-        "the points among those who tried. Discrimination: correlation of a student’s points here "
-        "with the points for all other questions; near or below 0 is suspect."
+        f"</figcaption></figure><figure>{_scatter(statistics)}<figcaption>{explained}"
         "</figcaption></figure></div>"
-        + table("Every question", header, rows, set(range(1, len(header))), roomy=True)
-        + '<p class="small soft">Stopped: exception, time limit, crash or unreadable. Open: not '
-        "attempted. Unnamed: wrong or partly right, and like no mistake in the key.</p>"
+        + table(_("Every question"), header, rows, set(range(1, len(header))), roomy=True)
+        + f'<p class="small soft">{words}</p>'
     )
 
 
@@ -162,18 +193,21 @@ def _bands(statistics: Sequence[QuestionStatistics]) -> str:
     said = []
     for value in (0, 25, 50, 75, 100):
         chart.label(chart.x(value), height - 27, f"{value}")
-    chart.label(chart.x(50), height - 6, "percent of the class")
+    chart.label(chart.x(50), height - 6, _("percent of the class"))
     for index, entry in enumerate(statistics):
         count = max(1, sum(entry.statuses.values()))
         start = 0.0
-        for band, _, color, pattern in _BANDS:
+        for band, _name, color, pattern in _BANDS:
             share = 100 * sum(entry.statuses[status] for status in band) / count
             if share:
                 chart.box(start, index + 0.12, start + share, index + 0.88, color, pattern)
             start += share
         chart.label(58, chart.y(index + 0.5) + 4, entry.question.id, "end")
-        said.append(f"{entry.question.id} {100 * entry.statuses['right'] / count:.0f} % right")
-    return chart.svg("Verdicts for each question", "; ".join(said) + ".")
+        right = f"{100 * entry.statuses['right'] / count:.0f}"
+        said.append(
+            _("{question} {percent} % right").format(question=entry.question.id, percent=right)
+        )
+    return chart.svg(_("Verdicts for each question"), "; ".join(said) + ".")
 
 
 def _scatter(statistics: Sequence[QuestionStatistics]) -> str:
@@ -183,12 +217,13 @@ def _scatter(statistics: Sequence[QuestionStatistics]) -> str:
         if entry.difficulty is not None and entry.discrimination is not None
     ]
     if not placed:
-        return "<p>Too few submissions to say how well a question tells students apart.</p>"
-    low = min(0.0, *(y for _, y, _ in placed)) - 0.08
-    left = max(0.0, min(x for x, _, _ in placed) - 5)
+        said = _("Too few submissions to say how well a question tells students apart.")
+        return f"<p>{said}</p>"
+    low = min(0.0, *(y for _x, y, _entry in placed)) - 0.08
+    left = max(0.0, min(x for x, _y, _entry in placed) - 5)
     right = 100 + 0.14 * (100 - left)  # room for the labels
     chart = Chart(520, 420, (left - 1, right), (low, 1.04))
-    chart.axes("percent of the points earned", "discrimination")
+    chart.axes(_("percent of the points earned"), _("discrimination"))
     chart.line([(left - 1, 0), (right, 0)], DARK, 1.5)
     taken: list[tuple[float, float]] = []
     dots = [(chart.x(x), chart.y(y)) for x, y, _ in placed]
@@ -204,8 +239,13 @@ def _scatter(statistics: Sequence[QuestionStatistics]) -> str:
         chart.dot(x, y, RED if entry.troubles else BLUE)
         taken.append(label)
         chart.label(*label, entry.question.id, "start")
-    said = "; ".join(f"{e.question.id} {x:.0f} % and {y:.2f}" for x, y, e in placed)
-    return chart.svg("Difficulty and discrimination of each question", said + ".")
+    said = "; ".join(
+        _("{question} {percent} % and {value}").format(
+            question=e.question.id, percent=f"{x:.0f}", value=f"{y:.2f}"
+        )
+        for x, y, e in placed
+    )
+    return chart.svg(_("Difficulty and discrimination of each question"), said + ".")
 
 
 def _extremes(
@@ -214,9 +254,9 @@ def _extremes(
     """The questions to name in the picture: the troubled ones, and those at its edges."""
     by_discrimination = sorted(placed, key=lambda place: place[1])
     by_difficulty = sorted(placed, key=lambda place: place[0])
-    chosen = [*by_discrimination[:4], *by_discrimination[-2:], *by_difficulty[:3]]
-    chosen += by_difficulty[-2:] + [place for place in placed if place[2].troubles]
-    return [entry for _, _, entry in chosen]
+    edges = [*by_discrimination[:4], *by_discrimination[-2:], *by_difficulty[:3]]
+    edges += by_difficulty[-2:] + [place for place in placed if place[2].troubles]
+    return [entry for _x, _y, entry in edges]
 
 
 def _free_place(
@@ -238,27 +278,35 @@ def _variants(found: ClassFindings) -> str:
     """Whether some students had harder numbers than others."""
     rows = []
     for entry in found.difficulties:
-        less = f"{100 * entry.less:.0f} ({100 * entry.low:.0f} to {100 * entry.high:.0f})"
+        less = _("{value} ({low} to {high})").format(
+            value=f"{100 * entry.less:.0f}",
+            low=f"{100 * entry.low:.0f}",
+            high=f"{100 * entry.high:.0f}",
+        )
         hardest = [text(entry.hardest), less] if entry.hardest else ["–", "–"]
         chance = f"{entry.chance:.3f} ± {entry.error:.3f}"
         rows.append(
             [text(entry.question), f"{entry.students}", f"{entry.variants}", chance, *hardest]
         )
     header = [
-        "question",
-        "students",
-        "variants",
-        "chance",
-        "hardest",
-        "earned less, % of the points",
+        _("question"),
+        _("students"),
+        _("variants"),
+        _("chance"),
+        _("hardest"),
+        _("earned less, % of the points"),
     ]
+    words = _(
+        "Chance: how often variants that are equally hard differ as much as these, or more (the "
+        "students of the variants were shuffled, 2000 times). Of twenty questions, one has less "
+        "than 0.05 by chance. Hardest: the variant with the lowest mean among those that three "
+        "students or more have, and how much less its students earned than all others, with the "
+        "range that holds the truth in 95 of 100 cases."
+    )
+    caption = _("Were all variants equally hard?")
     return (
-        table("Were all variants equally hard?", header, rows, {1, 2, 3, 5}, roomy=True)
-        + '<p class="small soft">Chance: how often variants that are equally hard differ as '
-        "much as these, or more (the students of the variants were shuffled, 2000 times). Of "
-        "twenty questions, one has less than 0.05 by chance. Hardest: the variant with the lowest "
-        "mean among those that three students or more have, and how much less its students earned "
-        "than all others, with the range that holds the truth in 95 of 100 cases.</p>"
+        table(caption, header, rows, {1, 2, 3, 5}, roomy=True)
+        + f'<p class="small soft">{words}</p>'
     )
 
 
@@ -266,12 +314,14 @@ def _mistakes(mistakes: Sequence[Mistake], links: Links) -> str:
     named = [mistake for mistake in mistakes if mistake.named]
     others = [mistake for mistake in mistakes if not mistake.named]
     if not mistakes:
-        return "<p>Nobody made a mistake that has a name.</p>"
+        return f"<p>{_('Nobody made a mistake that has a name.')}</p>"
     body = ""
     if named:
-        body += _mistake_table("Known mistakes, by how many students made them", named, links)
+        known = _("Known mistakes, by how many students made them")
+        body += _mistake_table(known, named, links)
     if others:
-        body += _mistake_table("Where responses fail that match no known mistake", others, links)
+        unknown = _("Where responses fail that match no known mistake")
+        body += _mistake_table(unknown, others, links)
     return body
 
 
@@ -281,27 +331,32 @@ def _mistake_table(caption: str, mistakes: Sequence[Mistake], links: Links) -> s
         for m in mistakes[:_MOST_MISTAKES]
     ]
     left = len(mistakes) - _MOST_MISTAKES
-    more = f"<p>{left} more are in class_mistakes.csv.</p>" if left > 0 else ""
-    return table(caption, ["question", "mistake", "students", "who"], rows, {2}) + more
+    more = n_(
+        "{count} more is in class_mistakes.csv.", "{count} more are in class_mistakes.csv.", left
+    ).format(count=left)
+    header = [_("question"), _("mistake"), _("students"), _("who")]
+    return table(caption, header, rows, {2}) + (f"<p>{more}</p>" if left > 0 else "")
 
 
 def _time_and_failures(found: ClassFindings, run: Run | None, links: Links) -> str:
     seconds = np.array(found.seconds)
-    spent = f"{seconds.sum():.0f} s of running and marking"
+    spent = _("{seconds} s of running and marking.").format(seconds=f"{seconds.sum():.0f}")
     if run is not None and run.seconds:
-        spent += f", the last run took {run.seconds:.0f} s by the clock"
+        spent = _(
+            "{seconds} s of running and marking, the last run took {clock} s by the clock."
+        ).format(seconds=f"{seconds.sum():.0f}", clock=f"{run.seconds:.0f}")
     named = ", ".join(f"{links.to(student)} ({s:.1f} s)" for s, student in found.slowest)
-    lines = [
-        f"<p>{spent}. Median {np.median(seconds):.2g} s a submission; slowest: {named}.</p>",
-    ]
-    high = max(1.0, float(seconds.max()) * 1.02)
-    lines.append(
-        f"<figure>{histogram(seconds.tolist(), 0, high, 20, 'seconds', 'Time for each submission')}"
-        "</figure>"
+    usual = _("Median {seconds} s a submission; slowest: {students}.").format(
+        seconds=f"{np.median(seconds):.2g}", students=named
     )
+    lines = [f"<p>{spent} {usual}</p>"]
+    high = max(1.0, float(seconds.max()) * 1.02)
+    title = _("Time for each submission")
+    chart = histogram(seconds.tolist(), 0, high, 20, _("seconds"), title)
+    lines.append(f"<figure>{chart}</figure>")
     rows = [
         [
-            *(text(question), status, text(said), str(students.count)),
+            *(text(_(question)), _(status), text(said), str(students.count)),
             links.all(students.first, count=students.count),
         ]
         for (question, status, said), students in sorted(
@@ -309,11 +364,14 @@ def _time_and_failures(found: ClassFindings, run: Run | None, links: Links) -> s
         )
     ]
     if rows:
-        header = ["question", "status", "reason", "students", "who"]
-        lines.append(table(f"{found.failure_count} failures", header, rows, {3}))
+        header = [_("question"), _("status"), _("reason"), _("students"), _("who")]
+        caption = n_("{count} failure", "{count} failures", found.failure_count)
+        lines.append(table(caption.format(count=found.failure_count), header, rows, {3}))
         listed = sum(students.count for students in found.failures.values())
         if listed < found.failure_count:
-            lines.append(f"<p>{found.failure_count - listed} more have other reasons.</p>")
+            left = found.failure_count - listed
+            said = n_("{count} more has another reason.", "{count} more have other reasons.", left)
+            lines.append(f"<p>{said.format(count=left)}</p>")
     else:
-        lines.append("<p>No response failed to run.</p>")
+        lines.append(f"<p>{_('No response failed to run.')}</p>")
     return "\n".join(lines)

@@ -61,7 +61,7 @@ def feedback_html(shared: Feedback, record: Record) -> str:
         )
         header.append(f"<p>{said}</p>")
     for note in record.graded.notes:
-        header.append(f'<p class="soft">{text(note)}</p>')
+        header.append(f'<p class="soft">{text(_(note))}</p>')
     header.append(_index(course, record))
     chapters = [
         f"<section>\n<h2>{text(chapter.title)}</h2>\n"

@@ -13,6 +13,7 @@ from typing import Any, Generic, TypeVar
 
 from autograder.course import Course
 from autograder.gradebook.record import Names, Record
+from autograder.language import N_
 from autograder.reports.machine import most_for
 from autograder.reports.predictions import Predicted
 from autograder.reports.statistics import (
@@ -153,7 +154,7 @@ def _note_people(found: ClassFindings, record: Record) -> None:
 
 def _failures(record: Record) -> Iterator[Failure]:
     if record.graded.status == "unreadable":
-        yield "everything", "unreadable", " ".join(record.graded.notes)
+        yield N_("everything"), "unreadable", " ".join(record.graded.notes)
         return
     for mark in record.graded.marks:
         if mark.status in STOPPED:

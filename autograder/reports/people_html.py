@@ -10,6 +10,7 @@ import numpy as np
 from autograder.course import Course
 from autograder.gradebook.record import Names
 from autograder.gradebook.view import ClassView
+from autograder.language import _, n_
 from autograder.reports.files import file_name
 from autograder.reports.gather import MOST_NAMED, ClassFindings, Section
 from autograder.reports.markdown import isolated, text
@@ -45,38 +46,47 @@ class Links:
         if count <= most:
             return ", ".join(made)
         shown, rest = ", ".join(made[:most]), ", ".join(made[most:])
-        left = f" and {count - len(made)} others" if count > len(made) else ""
-        return f"{shown}<details><summary>{count - most} more</summary>{rest}{left}</details>"
+        left = count - len(made)
+        if left:
+            others = n_("and {count} other", "and {count} others", left)
+            rest += f" {others.format(count=left)}"
+        more = n_("{count} more", "{count} more", count - most).format(count=count - most)
+        return f"{shown}<details><summary>{more}</summary>{rest}</details>"
 
 
 def needy_html(course: Course, found: ClassFindings, links: Links) -> str:
     """Who needs help, by section and name, with the chapters, the mistakes and the reasons."""
     needy, most = found.needy, found.most
     if not needy:
-        return "<p>Nobody: everyone has at least half of the points, and all work could be run.</p>"
+        said = _("Nobody: everyone has at least half of the points, and all work could be run.")
+        return f"<p>{said}</p>"
     rows = [
         [
             links.to(entry.student),
             text(entry.section or "–"),
-            f"{entry.total:g} of {most:g}",
+            _("{some} of {all}").format(some=f"{entry.total:g}", all=f"{most:g}"),
             text(", ".join(entry.chapters)) or "–",
             _mistakes(entry, links),
             text("; ".join(entry.reasons)),
         ]
         for entry in sorted(needy, key=lambda e: (e.section.casefold(), e.total, e.student))
     ]
-    header = ["student", "section", "points", "below half in", "mistakes", "why"]
-    lowest = "" if found.needy_count == len(needy) else f", the lowest {len(needy)}"
-    parts = [table(f"{found.needy_count} students{lowest}", header, rows, {2})]
-    if lowest:
-        parts.append("<p>All of them are in class_students.csv.</p>")
+    header = [_("student"), _("section"), _("points"), _("below half in"), _("mistakes"), _("why")]
+    caption = n_("{count} student", "{count} students", found.needy_count)
+    cut = found.needy_count > len(needy)
+    if cut:
+        caption = _("{count} students, the lowest {some}")
+    parts = [table(caption.format(count=found.needy_count, some=len(needy)), header, rows, {2})]
+    if cut:
+        parts.append(f"<p>{_('All of them are in class_students.csv.')}</p>")
     by_chapter = [
         [text(chapter.title), str(weak.count), links.all(weak.first, count=weak.count)]
         for chapter in course.chapters
         if (weak := found.needy_in.get(chapter.title))
     ]
     if by_chapter:
-        parts.append(table("By chapter", ["chapter", "students", "who"], by_chapter, {1}))
+        columns = [_("chapter"), _("students"), _("who")]
+        parts.append(table(_("By chapter"), columns, by_chapter, {1}))
     if len(found.sections) > 1:
         parts.append(_sections(found.sections))
     return "\n".join(parts)
@@ -88,7 +98,8 @@ def _mistakes(entry: Needy, links: Links) -> str:
         for question, name in entry.mistakes[:_MOST_MISTAKES]
     ]
     left = len(entry.mistakes) - len(shown)
-    return "; ".join(shown) + (f"; {left} more" if left > 0 else "") if shown else "–"
+    more = n_("{count} more", "{count} more", left).format(count=left)
+    return "; ".join([*shown, *([more] if left > 0 else [])]) or "–"
 
 
 def _sections(sections: Mapping[str, Section]) -> str:
@@ -96,8 +107,8 @@ def _sections(sections: Mapping[str, Section]) -> str:
     for name, section in sorted(sections.items()):
         median = f"{np.median(section.totals):.4g}"
         rows.append([text(name or "–"), str(len(section.totals)), median, str(section.needy)])
-    header = ["section", "students", "median", "need help"]
-    return table("Each section", header, rows, {1, 2, 3})
+    header = [_("section"), _("students"), _("median"), _("need help")]
+    return table(_("Each section"), header, rows, {1, 2, 3})
 
 
 def to_do_html(view: ClassView, found: ClassFindings, links: Links) -> str:
@@ -107,31 +118,43 @@ def to_do_html(view: ClassView, found: ClassFindings, links: Links) -> str:
         rows = [
             [
                 links.to(student),
-                text(view.matches[student].reason or "it fits nobody"),
+                text(view.matches[student].reason or _("it fits nobody")),
                 f"<code>{text(view.matches[student].line)}</code>",
             ]
             for student in found.nobodys.first[:_MOST_LISTED]
         ]
-        header = ["submission", "why", "the line in students.toml that settles it"]
-        caption = f"{found.nobodys.count} submissions belong to nobody"
-        parts.append(table(caption, header, rows, set()))
+        header = [_("submission"), _("why"), _("the line in students.toml that settles it")]
+        count = found.nobodys.count
+        caption = n_(
+            "{count} submission belongs to nobody", "{count} submissions belong to nobody", count
+        )
+        parts.append(table(caption.format(count=count), header, rows, set()))
     if found.waiting:
         rows = [
             [links.to(student), text(", ".join(questions))]
             for student, questions in found.waiting[:_MOST_LISTED]
         ]
-        caption = f"{found.waiting_count} students have questions that wait for a person"
-        parts.append(table(caption, ["student", "questions"], rows, set()))
+        count = found.waiting_count
+        caption = n_(
+            "{count} student has questions that wait for a person",
+            "{count} students have questions that wait for a person",
+            count,
+        )
+        parts.append(
+            table(caption.format(count=count), [_("student"), _("questions")], rows, set())
+        )
     if view.missing:
         named = [
             f"{person.text()}{f', {person.section}' if person.section else ''}"
             for person in sorted(view.missing, key=lambda p: (p.section, p.name))
         ]
         said = "; ".join(map(isolated, named))
-        parts.append(f"<p><strong>{len(named)} handed in nothing:</strong> {said}.</p>")
+        nothing = n_("{count} handed in nothing:", "{count} handed in nothing:", len(named))
+        parts.append(f"<p><strong>{nothing.format(count=len(named))}</strong> {said}.</p>")
     if found.groups.count:
         said = "; ".join(map(links.to, found.groups.first))
         left = found.groups.count - len(found.groups.first)
-        said += f"; and {left} others" if left else ""
-        parts.append(f"<p><strong>Handed in together:</strong> {said}.</p>")
+        if left:
+            said += f"; {n_('and {count} other', 'and {count} others', left).format(count=left)}"
+        parts.append(f"<p><strong>{_('Handed in together:')}</strong> {said}.</p>")
     return "\n".join(parts)

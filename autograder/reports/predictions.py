@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 
 from autograder.course.predictions import Prediction
 from autograder.gradebook.record import Record
+from autograder.language import _
 from autograder.reports.markdown import inline, text
 from autograder.reports.svg import BLUE, Chart
 
@@ -58,9 +59,12 @@ class Predicted:
 
     def _range(self, low: float, high: float) -> str:
         if not self.asked.integer:
-            return f"{low:g} to below {high:g}"
+            said = _("{low} to below {high}")
+            return said.format(low=f"{low:g}", high=f"{high:g}")
         first, last = math.ceil(low), math.ceil(high) - 1
-        return f"{first:,}" if first == last else f"{first:,} to {last:,}"
+        if first == last:
+            return f"{first:,}"
+        return _("{low} to {high}").format(low=f"{first:,}", high=f"{last:,}")
 
 
 def predictions_html(found: Sequence[Predicted], students: int) -> str:
@@ -72,7 +76,7 @@ def predictions_html(found: Sequence[Predicted], students: int) -> str:
 def _chart(entry: Predicted, students: int) -> str:
     rows = entry.rows()
     row = 26
-    most = max(count for _, count in rows)
+    most = max(count for _name, count in rows)
     chart = Chart(560, row * len(rows) + 12, (0, most), (len(rows), 0), left=250, right=48, top=6)
     chart.bottom = 6
     for index, (name, count) in enumerate(rows):
@@ -81,11 +85,12 @@ def _chart(entry: Predicted, students: int) -> str:
         chart.label(242, middle, name if len(name) < 40 else f"{name[:38]}…", "end")
         chart.label(chart.x(count) + 8, middle, str(count), "start")
     said = "; ".join(f"{name}: {count}" for name, count in rows)
-    title = f"Predictions for {entry.asked.id}"
+    title = _("Predictions for {question}").format(question=entry.asked.id)
+    share = _("{some} of {all} predicted.").format(some=entry.count, all=students)
     return (
         f"<h3>{text(entry.asked.id)}</h3>\n<p>{inline(entry.asked.prompt)}</p>\n"
-        f"<figure>{chart.svg(title, said + '.')}<figcaption>{entry.count} of {students} "
-        "predicted.</figcaption></figure>"
+        f"<figure>{chart.svg(title, said + '.')}<figcaption>{share}"
+        "</figcaption></figure>"
     )
 
 

@@ -13,6 +13,7 @@ from autograder.course.questions import Question
 from autograder.gradebook.record import Record
 from autograder.intake.shelf import Shelf
 from autograder.kinds.registry import kind_of
+from autograder.language import N_, _
 from autograder.marking import Mark
 from autograder.reports.machine import most_for
 
@@ -171,24 +172,30 @@ def _troubles(
     troubles = []
     if discrimination is not None and discrimination < 0:
         troubles.append(
-            "Students who do well elsewhere do badly here: check the key and the wording."
+            _("Students who do well elsewhere do badly here: check the key and the wording.")
         )
     elif discrimination is not None and discrimination < LOW_DISCRIMINATION:
-        troubles.append("Doing well here says little about doing well elsewhere: is it ambiguous?")
+        troubles.append(
+            _("Doing well here says little about doing well elsewhere: is it ambiguous?")
+        )
     if difficulty == 0:
-        troubles.append("Nobody earned a point: check the key.")
+        troubles.append(_("Nobody earned a point: check the key."))
     elif difficulty < 0.2:
-        troubles.append("Very few points are earned: is something missing from the prompt?")
+        troubles.append(_("Very few points are earned: is something missing from the prompt?"))
     stopped = sum(statuses[status] for status in STOPPED)
     if stopped >= 0.2 * attempted:
         troubles.append(
-            f"{stopped} of {attempted} responses stopped with an exception or at a limit: "
-            "is the stub clear, is the limit long enough?"
+            _(
+                "{count} of {all} responses stopped with an exception or at a limit: is the stub "
+                "clear, is the limit long enough?"
+            ).format(count=stopped, all=attempted)
         )
     if unnamed >= 0.25 * attempted:
         troubles.append(
-            f"{unnamed} of {attempted} responses are wrong in ways that no mistake in the key "
-            "names: read some, and add the common ones."
+            _(
+                "{count} of {all} responses are wrong in ways that no mistake in the key names: "
+                "read some, and add the common ones."
+            ).format(count=unnamed, all=attempted)
         )
     return troubles
 
@@ -243,20 +250,21 @@ def needs_help(course: Course, record: Record) -> Needy | None:
     statuses = Counter(mark.status for mark in record.graded.marks)
     reasons = []
     if record.graded.status == "unreadable":
-        reasons.append("the submission could not be opened; ask for it again")
+        reasons.append(_("the submission could not be opened; ask for it again"))
     elif record.total < most / 2:
-        reasons.append("less than half of the points")
+        reasons.append(_("less than half of the points"))
     if record.graded.status != "unreadable":
         open_ones = statuses["not attempted"]
         if open_ones >= len(course.questions) / 2:
-            reasons.append(f"{open_ones} of {len(course.questions)} questions not attempted")
+            said = _("{count} of {all} questions not attempted")
+            reasons.append(said.format(count=open_ones, all=len(course.questions)))
         for status, words in (
-            ("error", "with an exception"),
-            ("timeout", "at the time limit"),
-            ("killed", "with a crash"),
+            ("error", N_("{count} questions ended with an exception")),
+            ("timeout", N_("{count} questions ended at the time limit")),
+            ("killed", N_("{count} questions ended with a crash")),
         ):
             if statuses[status] >= 2:
-                reasons.append(f"{statuses[status]} questions ended {words}")
+                reasons.append(_(words).format(count=statuses[status]))
     if not reasons:
         return None
     return Needy(

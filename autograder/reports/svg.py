@@ -7,6 +7,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from itertools import count
 
+from autograder.language import _
 from autograder.reports.markdown import text
 from autograder.reports.patterns import fill_of
 
@@ -131,15 +132,16 @@ def histogram(
     for value in values:
         counts[min(bins - 1, max(0, int((value - low) / (high - low) * bins)))] += 1
     chart = Chart(520, 250, (low, high), (0, max(1, *counts) * 1.08))
-    chart.axes(x_label, "students", whole_y=True)
+    chart.axes(x_label, _("students"), whole_y=True)
     width = (high - low) / bins
     said = []
     for index, students in enumerate(counts):
         start = low + index * width
         if students:
             chart.box(start, 0, start + width, students, BLUE)
-            said.append(f"{start:.3g} to {start + width:.3g}: {students}")
-    return chart.svg(title, "Students in each bin. " + "; ".join(said) + ".")
+            between = _("{low} to {high}").format(low=f"{start:.3g}", high=f"{start + width:.3g}")
+            said.append(f"{between}: {students}")
+    return chart.svg(title, f"{_('Students in each bin.')} {'; '.join(said)}.")
 
 
 def bar(share: float, title: str, color: str = BLUE) -> str:

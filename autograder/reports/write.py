@@ -10,6 +10,7 @@ from autograder.course import Course
 from autograder.errors import refuse_link
 from autograder.gradebook import ClassView, Gradebook, Record, view_class
 from autograder.intake.class_list import ClassList
+from autograder.language import _
 from autograder.reports.class_csv import write_class_csv
 from autograder.reports.class_html import class_html
 from autograder.reports.feedback_html import Feedback, feedback_html
@@ -43,13 +44,14 @@ def write_reports(course: Course, book: Gradebook, options: Options) -> str:
     write_text(out / "class.html", class_html(course, records, book.last_run(), view, said, found))
     shared = feedback_of(view, book)
     fingerprints = Fingerprints(shared, book)
-    with progress_bar("feedback") as progress:
+    with progress_bar(_("feedback")) as progress:
         task = progress.add_task("", total=len(records))
         for record in records:
             if options.students is None or record.student in options.students:
                 _write_feedback(out / "feedback", shared, record, fingerprints)
             progress.advance(task)
-    return f"{out / 'grades.csv'}, class.html and feedback/ are written"
+    said = _("{grades}, class.html and feedback/ are written")
+    return said.format(grades=out / "grades.csv")
 
 
 def _write_feedback(

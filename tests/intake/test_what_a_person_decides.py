@@ -298,7 +298,7 @@ def test_files_that_change_while_they_are_graded_are_named(
     status, told = school.run("grade", "--strict")
     assert status == 1
     (warning,) = told["warnings"]
-    assert warning.startswith("1 files changed while they were graded")
+    assert warning.startswith("1 file changed while it was graded")
     assert "boole.zip" in warning
 
 

@@ -6,6 +6,7 @@ import ast
 import gettext
 import io
 import re
+import symtable
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -245,3 +246,32 @@ def test_an_unknown_language_is_refused(tmp_path: Path):
         file.write('[tool.autograder]\nlanguage = "tlh"\n')
     with pytest.raises(CourseError, match="language"):
         load_course(tmp_path)
+
+
+@pytest.mark.parametrize(
+    "path",
+    [p for p in sorted(ENGINE.rglob("*.py")) if "import" in p.read_text("utf-8")
+     and re.search(r"autograder\.language import .*\b_\b", p.read_text("utf-8"))],
+    ids=lambda path: str(path.relative_to(ENGINE)),
+)  # fmt: skip
+def test_nothing_else_is_called_as_the_translation_is(path: Path):
+    """Whoever binds ``_`` and calls it would call what was bound."""
+
+    def scopes(table: symtable.SymbolTable) -> Iterator[symtable.SymbolTable]:
+        yield table
+        for inner in table.get_children():
+            yield from scopes(inner)
+
+    tree = ast.parse(path.read_text(encoding="utf-8"))
+    calls = {
+        node.lineno
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "_"
+    }
+    for function in ast.walk(tree):
+        if not isinstance(function, ast.FunctionDef | ast.Lambda):
+            continue
+        table = symtable.symtable(ast.unparse(function), path.name, "exec").get_children()[0]
+        if "_" in table.get_identifiers() and table.lookup("_").is_local():
+            inside = range(function.lineno, (function.end_lineno or function.lineno) + 1)
+            assert not calls & set(inside), f"line {function.lineno}"

@@ -124,7 +124,7 @@ def test_the_command_prints_the_pairs_and_writes_them(tmp_path: Path, capsys):
     assert main(["--course", str(tmp_path / "course"), *command]) == 0
     out = capsys.readouterr().out
     assert "=boole and ada" in out
-    assert "1 pairs among 3 submissions" in out
+    assert "1 pair among 3 submissions" in out
     assert "'=boole" in (tmp_path / "grades/similar.csv").read_text()
 
 
