@@ -148,6 +148,23 @@ class Host:
         """
         self._tell({"interrupt": self._number, "only_forks": only_forks})
 
+    def end_leftovers(self, only_orphans: bool) -> None:
+        """End what the child has started and not waited for, so that it costs nothing after it.
+
+        With ``only_orphans`` the fork that evaluates a response may end by itself.
+
+        Raises:
+            HostError: if the zygote does not answer; then `stop` it.
+        """
+        self._tell({"end leftovers": self._number, "only_orphans": only_orphans})
+        deadline = time.monotonic() + _ANSWER_SECONDS
+        while (message := self._hear(deadline)) is not None:
+            if message.get("no leftovers") == self._number:
+                return
+            if message.get("gone") == self._number:
+                self._gone = message
+        raise HostError("The sandbox does not answer.")
+
     def why_gone(self, seconds: float) -> str | None:
         """Why the child ended by itself, if the zygote says so within some time."""
         message = self._gone or self._hear(time.monotonic() + seconds)

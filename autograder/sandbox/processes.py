@@ -7,7 +7,7 @@ import resource
 import signal
 import stat
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import suppress
 from functools import cache
 from pathlib import Path
@@ -15,6 +15,7 @@ from pathlib import Path
 _PAGE = resource.getpagesize()
 _PIPE = 16 * _PAGE
 _SWEEP_SECONDS = 5.0
+_EXIT_SECONDS = 1.0  # for a process that has no more to do than to give its memory back
 _FEW = 4  # processes
 
 
@@ -37,6 +38,69 @@ def end_all_others(everything: bool) -> None:
         if not _collect():
             return
     raise OSError("some processes cannot be ended")
+
+
+def end_leftovers(
+    child: int, processes: Callable[[], list[int]], only_orphans: bool = False
+) -> None:
+    """End all of some processes but one child of this one; those that are left after a while stay.
+
+    Mostly there are none, which the kernel says at once where it lists a process's children. With
+    ``only_orphans`` the child's own are waited for and spared: one of them may have sent its answer
+    and be about to end.
+    """
+    deadline = time.monotonic() + _EXIT_SECONDS
+    while only_orphans and _has_children(child) and time.monotonic() < deadline:
+        time.sleep(0.001)
+    deadline = time.monotonic() + _SWEEP_SECONDS
+    while not _has_no_others(child) and time.monotonic() < deadline:
+        spared = {1, child, *(descendants(child) if only_orphans else ())}
+        others = [p for p in processes() if p not in spared and not _has_ended(p)]
+        for number in (signal.SIGSTOP, signal.SIGKILL):  # what is stopped forks no more
+            for process in others:
+                with suppress(ProcessLookupError, PermissionError):
+                    os.kill(process, number)
+        for process in others:
+            # Those whose parents have ended are children of this process, and to be waited for.
+            with suppress(ChildProcessError):
+                os.waitpid(process, os.WNOHANG)
+        if not others:
+            return
+
+
+def _has_ended(process: int) -> bool:
+    """Whether it waits only for its parent to ask how it ended."""
+    try:
+        return stat_fields(process)[0] == b"Z"
+    except (OSError, IndexError):
+        return True
+
+
+def _has_children(process: int) -> bool:
+    try:
+        return bool(_children(process))
+    except (OSError, ValueError):
+        return False
+
+
+def _has_no_others(child: int) -> bool:
+    """Whether a child has no children, and this process no other child."""
+    try:
+        if _children(os.getpid()) - {child}:
+            return False
+        return not _children(child)
+    except (OSError, ValueError):  # the kernel keeps no such lists, or the child has ended
+        return False
+
+
+def _children(process: int) -> set[int]:
+    """The children of all threads of a process."""
+    tasks = Path(f"/proc/{process}/task")
+    return {
+        int(child)
+        for task in os.listdir(tasks)
+        for child in (tasks / task / "children").read_text(encoding="ascii").split()
+    }
 
 
 def _collect() -> bool:

@@ -197,6 +197,7 @@ class Session:
             Stopped: after which the channel is closed.
         """
         assert self._channel is not None
+        assert self._host is not None
         nonce = secrets.token_hex(16)
         self._was_interrupted = False
         self._limits = [_Limit(seconds)]
@@ -210,6 +211,7 @@ class Session:
                     min(deadline, time.monotonic() + _MESSAGE_SECONDS)
                 )
                 if _carries(answer, nonce) and "cell" not in answer:
+                    self._host.end_leftovers(only_orphans=message["do"] == "evaluate")
                     return answer
                 self._stray_bytes += self._channel.received - before
                 if _carries(answer, nonce) and notices > 0:

@@ -237,6 +237,38 @@ def test_what_an_interrupted_cell_left_running_costs_the_other_questions_nothing
         assert session.evaluate("k", NUMBER) == {"state": "given", "value": 74}
 
 
+FAILING_BOMB = """
+import os
+try:
+    while True:
+        if os.fork() == 0:
+            if os.fork() != 0: os._exit(0)
+            while True: pass
+except BlockingIOError:
+    raise ValueError
+"""
+
+
+@pytest.mark.parametrize("where", ["a cell", "a response"])
+def test_what_is_left_running_costs_the_next_question_nothing(sandbox, where):
+    """As many orphans that spin as are allowed, of a cell or of a function that fails by itself."""
+    from msgspec.structs import replace
+
+    from autograder.sandbox.session import Session
+
+    limits = replace(sandbox._course.settings, cell_seconds=1, question_seconds=1)
+    work = "def double(x):\n    end = sum(range(8_000_000))\n    return 2 * x"
+    as_function = "def bomb(x):" + FAILING_BOMB.replace("\n", "\n    ")
+    with Session(sandbox._take_host, limits, 0) as session:
+        report = session.run([FAILING_BOMB if where == "a cell" else as_function, work], [])
+        if where == "a response":
+            assert report["errors"] == [None, None]
+            assert session.evaluate("bomb", CASE)["state"] == "given"
+        else:
+            assert report["errors"] == ["ValueError", None]
+        assert session.evaluate("double", CASE)["state"] == "given"
+
+
 def test_processor_time_is_limited_by_a_setting_and_the_mark_says_so(sandbox):
     from msgspec.structs import replace
 

@@ -91,6 +91,7 @@ def _evaluate(channel: Channel, notebook: Notebook, message: Message) -> None:
         else:
             _answer(channel, nonce, reply, message.get("most"))
         return
+    _reap_leftovers()
     child = os.fork()
     if child == 0:
         try:
@@ -111,6 +112,13 @@ def _evaluate(channel: Channel, notebook: Notebook, message: Message) -> None:
     if os.waitstatus_to_exitcode(status) != _ANSWERED:
         ended_by = os.WTERMSIG(status) if os.WIFSIGNALED(status) else 0
         channel.send({"nonce": nonce, "ended_by": ended_by})
+
+
+def _reap_leftovers() -> None:
+    """Give the places of ended processes back, which a cell forked and never waited for."""
+    with suppress(ChildProcessError):
+        while os.waitpid(-1, os.WNOHANG)[0]:
+            pass
 
 
 def _answer(

@@ -14,6 +14,8 @@ socket that student code never gets:
 - ``{"time since": moment}`` answers ``{"had": seconds}``, as `OwnTime` counts them.
 - ``{"interrupt": number, "only_forks": ...}`` ends what the child has forked, or sends the child
   itself an alarm.
+- ``{"end leftovers": number, "only_orphans": ...}`` ends all that the child has started and not
+  waited for, or only what outlived a fork of it, answers ``{"no leftovers": number}``.
 
 If the child ends by itself or is ended for what it uses, ``{"gone": number, "why": ...}`` comes
 unasked. When the control socket closes, everything ends. No key and no hidden input is ever here.
@@ -41,7 +43,7 @@ from autograder.sandbox import landlock, lockdown, seccomp
 from autograder.sandbox.inside.serve import prepare_process, serve
 from autograder.sandbox.inside.warm import warm
 from autograder.sandbox.own_time import OwnTime
-from autograder.sandbox.processes import Usage, descendants, end_all_others, tasks_of
+from autograder.sandbox.processes import Usage, descendants, end_all_others, end_leftovers, tasks_of
 from autograder.sandbox.removal import empty
 from autograder.sandbox.stopped import BY_SIGNAL
 
@@ -155,6 +157,10 @@ class Zygote:
         elif "interrupt" in message:
             if message["interrupt"] == self._number:
                 self._interrupt(message["only_forks"])
+        elif "end leftovers" in message:
+            if self._child and message["end leftovers"] == self._number:
+                end_leftovers(self._child, self._usage.processes, message["only_orphans"])
+            self._say({"no leftovers": message["end leftovers"]})
         elif "end" in message:
             self._own_time.look(self._usage.processes())
             self._sweep()
