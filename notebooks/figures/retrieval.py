@@ -242,8 +242,8 @@ def precision_recall(
     `score(name, walk)` returns one number for each photograph of the walk, large for a good match;
     every photograph of the walk is compared with all others. The threshold is the one that costs
     least on the walk, if a wrong loop costs as much as `wrong_costs` missed ones; of several the
-    highest. It may lie just above all scores, which closes no loop. Pairs that are `undecided`
-    count for neither.
+    highest. It may lie above all scores of the walk: then no loop is closed. Pairs that are
+    `undecided` count for neither.
     """
     fig = figure(8, 3.1 * len(scores))
     panels = fig.subplots(len(scores), 2, squeeze=False)
@@ -263,9 +263,11 @@ def precision_recall(
             row, (learnt, tried), ("walk", "five queries"), strict=True
         ):
             _draw_decisions(axes, decisions, steps, threshold)
-            right, wrong, missed = decisions.at(threshold)
+            # Above all scores of the walk means: close no loop, whatever the queries score.
+            closes = threshold <= most
+            right, wrong, missed = decisions.at(threshold if closes else np.inf)
             loops = f"{right} right, {wrong} wrong, {missed} missed loops"
-            chosen = f"threshold {threshold:.3g}" if threshold <= most else "above all scores"
+            chosen = f"threshold {threshold:.3g}" if closes else "no loop closed"
             axes.set_title(f"{where}, {chosen}: {loops}", fontsize=9)
             axes.set_xlabel(f"threshold: {label}")
             said.append(f"{label}, {where}, {chosen}: {loops}")

@@ -415,12 +415,12 @@ unsure = data.undecided_pairs()  # three pairs of which nobody can tell: they ar
 figures.precision_recall(scores, tuple(walk), tuple(queries), same, 20, predicted("P1.2"), unsure)
 
 # %% [markdown]
-# For the bags alone (above) it is cheapest to close no loop at all and to miss all 22: the likeness of the best wrong pair is
-# higher than that of nearly all right ones, and one wrong loop costs as much as 20 missed ones. Change the 20 to 1, for a robot
-# that can afford mistakes. How far does each of the two thresholds fall, and how many loops are closed now?
+# For the bags alone (above) it is cheapest to close no loop at all and to miss all 22: the most alike of all pairs is a wrong one, so
+# every threshold that closes a right loop has closed a wrong one before, which costs as much as 20 missed ones. Change the 20 to
+# 1, for a robot that can afford mistakes. How far does each of the two thresholds fall, and how many loops are closed now?
 #
-# For the geometry (below), no wrong candidate of the walk reaches the threshold. The loops that it misses are of two kinds: the place
-# was not among the five best candidates of the bags, so that nobody counted its matches, or it was and too few matches agree.
+# For the geometry (below), no wrong candidate of the walk reaches the threshold. Most of the loops that it misses were never looked
+# at: the place was not among the five best candidates of the bags. For the others too few matches agree.
 #
 # The next building may have more windows that look alike, so we leave a margin and ask for 20. Here are the queries again, one
 # by one; the grey band is what chance has reached on the walk.

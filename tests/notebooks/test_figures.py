@@ -225,7 +225,7 @@ def test_where_it_is_cheapest_to_close_no_loop_the_picture_says_so(shown):
 
     figures.precision_recall({"s": score}, walk, ("0493",), pairs, wrong_costs=20)
     alt = shown[0]["metadata"]["alt"]
-    assert "s, walk, above all scores: 0 right, 0 wrong, 2 missed loops" in alt
+    assert "s, walk, no loop closed: 0 right, 0 wrong, 2 missed loops" in alt
 
 
 def test_the_still_cloud_has_the_line_that_most_points_agree_with(shown):

@@ -23,10 +23,15 @@ def hints(
     outcomes: Sequence[object],
     failing: Sequence[int],
 ) -> str:
-    """The first failing case of each kind of input, of few kinds."""
+    """The first failing case of each kind of input, of few kinds; of one exception the first."""
     first: dict[str, int] = {}
+    raised: set[object] = set()
     for index in failing:
-        first.setdefault(str(cases[index]["name"]), index)
+        outcome = outcomes[index]
+        error = outcome.get("raised") if isinstance(outcome, dict) else None
+        if error is None or error not in raised:
+            first.setdefault(str(cases[index]["name"]), index)
+        raised.add(error)
     shown = list(first.values())[:_MOST]
     return " ".join(hint(question, cases[i], expected[i], outcomes[i]) for i in shown)
 

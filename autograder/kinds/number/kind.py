@@ -68,7 +68,7 @@ class NumberKind(CodeKind[Number, NumberAnswer]):
             return ""
         said = []
         if question.integer and value != round(value):
-            said = [_("But a whole number is asked for, and this is none."), question.rounding]
+            said = [_("But a whole number is asked for, and this is not one."), question.rounding]
         if question.between is not None and not question.between[0] <= value <= question.between[1]:
             low, high = (f"{bound:.10g}" for bound in question.between)
             said.append(
