@@ -164,7 +164,7 @@ def print_record(
     said = _("{some} of {all} points, {status}").format(
         some=f"{record.total:g}",
         all=f"{most_for(course, record):g}",
-        status=_(record.graded.status),
+        status=_("graded") if record.graded.status == "graded" else _("unreadable"),
     )
     if record.open:
         said += ", " + _("{count} not marked yet").format(count=len(record.open))
