@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 from autograder.grading.graded import Graded
 from autograder.intake.origin import Origin
 from autograder.intake.person import Person
+from autograder.language import _
 from autograder.marking import Mark
 from autograder.marking.draw import seed_of_set
 
@@ -124,17 +125,17 @@ class Record:
     def open_reason(self, question: str) -> str:
         """Why a person has to mark the question before it has points; "" if nobody has to."""
         if question in self.disputes:
-            gave = " and ".join(
-                f"{entry.author or 'somebody'} {_points(entry.points)}"
+            gave = f" {_('and')} ".join(
+                f"{entry.author or _('somebody')} {_points(entry.points)}"
                 for entry in self.disputes[question]
             )
-            return f"two people gave different points: {gave}"
+            return _("two people gave different points: {points}").format(points=gave)
         mark, override = self.marks.get(question), self.overrides.get(question)
         if override is None:
             waits = mark is not None and mark.status == "recorded"
-            return "it waits for a person to mark it" if waits else ""
+            return _("it waits for a person to mark it") if waits else ""
         if override.response and mark is not None and override.response != response_digest(mark):
-            return "the response has changed since it was marked by hand"
+            return _("the response has changed since it was marked by hand")
         return ""
 
     @property

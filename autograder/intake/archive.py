@@ -20,6 +20,7 @@ from typing import IO
 from autograder.errors import raise_if_short
 from autograder.exchange.printable import printable
 from autograder.intake.notebook_reader import Unreadable
+from autograder.language import _
 
 MAX_RATIO = 250  # deflate reaches about 1000; notebooks stay below 50
 _BOMB_SIZE = 24 * 2**20  # below this a high ratio harms nobody
@@ -51,7 +52,7 @@ class Archive:
         self.folders: dict[str, dict[str, bool]] = {"": {}}
         try:
             if _directory_size(stream) > _LARGEST_DIRECTORY:
-                raise Unreadable("The zip holds far too many files; hand in only the notebooks.")
+                raise Unreadable(_("The zip holds far too many files; hand in only the notebooks."))
             self._zip = zipfile.ZipFile(stream)
             listed = self._zip.infolist()
         except Unreadable:
@@ -70,8 +71,10 @@ class Archive:
             return
         if ".." in parts:
             self.notes.append(
-                f"{shown(parts[-1])} lies at a path that leads out of the zip; it was left out. "
-                "Zip the folder of the notebooks itself."
+                _(
+                    "{file} lies at a path that leads out of the zip; it was left out. Zip the "
+                    "folder of the notebooks itself."
+                ).format(file=shown(parts[-1]))
             )
             return
         if len(parts[0]) == 2 and parts[0][1] == ":" and parts[0][0].isalpha():
@@ -89,7 +92,8 @@ class Archive:
             self.folders.setdefault(path, {})
         else:
             if path in self.entries:
-                self.notes.append(f"{shown(path)} is in the zip twice; the last was taken.")
+                said = _("{file} is in the zip twice; the last was taken.")
+                self.notes.append(said.format(file=shown(path)))
             self.entries[path] = entry  # the last of a name counts, as in every unzip tool
 
     def has_wanted(self, wanted: tuple[str, ...]) -> bool:
@@ -121,8 +125,10 @@ class Archive:
             raise damaged(error) from None
         if len(data) > _BOMB_SIZE and len(data) > MAX_RATIO * max(entry.compress_size, 1):
             raise Unreadable(
-                f"{shown(path)} in the zip grows to more than {MAX_RATIO} times its size, as a zip "
-                "bomb does; clear the notebook's outputs and make the zip again."
+                _(
+                    "{file} in the zip grows to more than {count} times its size, as a zip bomb "
+                    "does; clear the notebook's outputs and make the zip again."
+                ).format(file=shown(path), count=MAX_RATIO)
             )
         return data
 
@@ -140,7 +146,8 @@ class Archive:
                 while block := packed.read(2**20):
                     left -= len(block)
                     if left < 0:
-                        raise Unreadable(f"{shown(path)} is larger than {MAX_NESTED >> 20} MB.")
+                        said = _("{file} is larger than {size} MB.")
+                        raise Unreadable(said.format(file=shown(path), size=MAX_NESTED >> 20))
                     stream.write(block)
         except Unreadable:
             raise
@@ -152,10 +159,10 @@ class Archive:
     def _ordinary(self, path: str) -> zipfile.ZipInfo:
         entry = self.entries[path]
         if entry.flag_bits & 1:
-            raise Unreadable("The zip is protected by a password; make it again without one.")
+            raise Unreadable(_("The zip is protected by a password; make it again without one."))
         if entry.compress_type not in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED):
             raise Unreadable(
-                "The zip uses an unusual compression; make it again with another program."
+                _("The zip uses an unusual compression; make it again with another program.")
             )
         return entry
 
@@ -221,7 +228,9 @@ def open_regular(path: Path) -> IO[bytes]:
     if not stat.S_ISREG(os.fstat(descriptor).st_mode):
         os.close(descriptor)
         raise Unreadable(
-            f"{shown(path.name)} is not an ordinary file; hand in a zip or a notebook."
+            _("{file} is not an ordinary file; hand in a zip or a notebook.").format(
+                file=shown(path.name)
+            )
         )
     return os.fdopen(descriptor, "rb")
 
@@ -235,13 +244,15 @@ def damaged(error: Exception) -> Unreadable:
     raise_if_short(error)
     text = " ".join(str(error).split()) or type(error).__name__
     text = "".join(c if c.isprintable() else "?" for c in text)[:120]
-    return Unreadable(f"The zip is damaged ({text}); make it again.")
+    return Unreadable(_("The zip is damaged ({reason}); make it again.").format(reason=text))
 
 
 def too_many_files(most: int) -> Unreadable:
     """Too many entries."""
     return Unreadable(
-        f"It holds more than {most} files; hand in only the notebooks and the folder responses."
+        _(
+            "It holds more than {count} files; hand in only the notebooks and the folder responses."
+        ).format(count=most)
     )
 
 

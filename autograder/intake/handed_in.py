@@ -21,6 +21,7 @@ from autograder.intake.names import moodle_name, rest_of
 from autograder.intake.notebook_reader import SUBMITTED, Unreadable
 from autograder.intake.origin import Piece
 from autograder.intake.place import Place, is_notebook_name, place_of
+from autograder.language import _
 
 MAX_DEPTH = 8  # folders inside folders
 MAX_ZIPS = 3  # zips inside zips
@@ -47,7 +48,9 @@ def read_files(pieces: Sequence[Piece], settings: Settings) -> Files:
             place = place_of(piece)
             if place.is_link:
                 raise Unreadable(
-                    f"{shown(name)} is a link or a device; hand in a zip or a notebook."
+                    _("{file} is a link or a device; hand in a zip or a notebook.").format(
+                        file=shown(name)
+                    )
                 )
             if place.is_folder:
                 label = PurePosixPath(name) if _is_part(pieces, name) else PurePosixPath()
@@ -56,7 +59,8 @@ def read_files(pieces: Sequence[Piece], settings: Settings) -> Files:
                 _read_single(place, PurePosixPath(rest_of(name)), files, order)
         except OSError as error:
             raise_if_short(error)
-            reasons.append(f"{shown(name)} cannot be opened: {error.strerror or error}.")
+            said = _("{file} cannot be opened: {reason}.")
+            reasons.append(said.format(file=shown(name), reason=error.strerror or error))
         except Unreadable as unreadable:
             if len(pieces) == 1:
                 raise
@@ -91,25 +95,30 @@ def _read_single(place: Place, name: PurePosixPath, files: Files, order: int) ->
         return
     if lower.endswith(_OTHER_ARCHIVES):
         raise Unreadable(
-            f"{shown(name.name)} is an archive of another kind; unpack it and hand in a zip."
+            _("{file} is an archive of another kind; unpack it and hand in a zip.").format(
+                file=shown(name.name)
+            )
         )
     limit = files.settings.submission_mb * 2**20
     data = place.read(limit if lower.endswith(".zip") else min(limit, 2**26))
     if lower.endswith(".zip"):
         if len(data) > limit:
-            raise Unreadable(f"The zip is larger than {files.settings.submission_mb} MB.")
+            said = _("The zip is larger than {size} MB.")
+            raise Unreadable(said.format(size=files.settings.submission_mb))
         archive = archive_from_bytes(data, files.settings.submission_files)
         _read_archive(archive, PurePosixPath(), files, order, 1)
         return
     if not lower.endswith(_OFFICE) and _looks_like_zip(data, files):
         archive = archive_from_bytes(data, files.settings.submission_files)
-        files.note(f"{shown(name.name)} is a zip under another name; it was read as one.")
+        said = _("{file} is a zip under another name; it was read as one.")
+        files.note(said.format(file=shown(name.name)))
         _read_archive(archive, PurePosixPath(), files, order, 1)
         return
     if lower.endswith((".json", ".txt")) and data.lstrip(b"\xef\xbb\xbf \r\n\t")[:1] == b"{":
         files.add(name.with_name(name.stem + ".ipynb"), Kept(data, order, place.time))
         return
-    raise Unreadable(f"{shown(name.name)} is neither a zip nor a notebook; hand in one of these.")
+    said = _("{file} is neither a zip nor a notebook; hand in one of these.")
+    raise Unreadable(said.format(file=shown(name.name)))
 
 
 def _looks_like_zip(data: bytes, files: Files) -> bool:
@@ -124,14 +133,16 @@ def _looks_like_zip(data: bytes, files: Files) -> bool:
 
 def _read_folder(folder: Place, at: PurePosixPath, files: Files, order: int, depth: int) -> None:
     if depth > MAX_DEPTH:
-        files.note(f"Folders more than {MAX_DEPTH} deep were not read.")
+        files.note(_("Folders more than {count} deep were not read.").format(count=MAX_DEPTH))
         return
     for place in folder.children():
         files.count()
         path = at / place.name
         if place.is_link:
             if is_wanted(path) or not place.name.startswith("."):
-                files.note(f"{shown(str(path))} is a link; it was not followed.")
+                files.note(
+                    _("{file} is a link; it was not followed.").format(file=shown(str(path)))
+                )
         elif place.is_folder:
             if not place.name.startswith((".", "__")):
                 _read_folder(place, path, files, order, depth + 1)
@@ -147,7 +158,7 @@ def _read_archive(archive: Archive, at: PurePosixPath, files: Files, order: int,
         files.count()
         path = at / name
         if len(PurePosixPath(name).parts) > MAX_DEPTH + 1:
-            files.note(f"Folders more than {MAX_DEPTH} deep were not read.")
+            files.note(_("Folders more than {count} deep were not read.").format(count=MAX_DEPTH))
             continue
         _read_entry(_Entry(archive, name), path, files, order, zips)
 
@@ -170,7 +181,7 @@ def _read_entry(
     hidden = any(part.startswith((".", "__")) for part in path.parts)
     if is_wanted(path):
         if entry.is_link:
-            files.note(f"{shown(str(path))} is a link; it was not followed.")
+            files.note(_("{file} is a link; it was not followed.").format(file=shown(str(path))))
             return
         files.add(path, Kept(entry.read(files.limit(path)), order, entry.time))
     elif hidden or entry.is_link:
@@ -182,14 +193,16 @@ def _read_entry(
         files.spend(len(text))
         files.hint = text.decode("ascii", "replace").strip()
     elif path.suffix.lower() in _OTHER_ARCHIVES:
-        files.note(f"{shown(str(path))} is an archive of another kind; it was not opened.")
+        said = _("{file} is an archive of another kind; it was not opened.")
+        files.note(said.format(file=shown(str(path))))
 
 
 def _read_nested(
     entry: _Entries | Place, path: PurePosixPath, files: Files, order: int, zips: int
 ) -> None:
     if zips >= MAX_ZIPS:
-        files.note(f"{shown(str(path))} is a zip in {zips} others; it was not opened.")
+        said = _("{file} is a zip in {count} others; it was not opened.")
+        files.note(said.format(file=shown(str(path)), count=zips))
         return
     try:
         data = entry.read(files.limit(path))

@@ -10,6 +10,7 @@ from autograder.course import Settings
 from autograder.intake.archive import shown
 from autograder.intake.notebook_reader import Unreadable
 from autograder.intake.place import is_notebook_name
+from autograder.language import _
 
 MAX_SIDECAR = 2**20
 _MOST_NOTES = 20
@@ -45,7 +46,7 @@ class Files:
         if sentence in self.notes:
             return
         if len(self.notes) == _MOST_NOTES:
-            self.notes.append("More files than these were passed over.")
+            self.notes.append(_("More files than these were passed over."))
         if len(self.notes) < _MOST_NOTES:
             self.notes.append(sentence)
 
@@ -58,8 +59,10 @@ class Files:
         self._count_left -= 1
         if self._count_left < 0:
             raise Unreadable(
-                f"It holds more than {self.settings.submission_files} files; "
-                "hand in only the notebooks and the folder responses."
+                _(
+                    "It holds more than {count} files; hand in only the notebooks and the folder "
+                    "responses."
+                ).format(count=self.settings.submission_files)
             )
 
     def limit(self, path: PurePosixPath) -> int:
@@ -76,8 +79,10 @@ class Files:
         self._bytes_left -= size
         if self._bytes_left < 0:
             raise Unreadable(
-                f"It is larger than {self.settings.submission_mb} MB; "
-                "clear the notebooks' outputs and hand it in again."
+                _(
+                    "It is larger than {size} MB; clear the notebooks' outputs and hand it in "
+                    "again."
+                ).format(size=self.settings.submission_mb)
             )
 
     def add(self, path: PurePosixPath, kept: Kept) -> None:
@@ -89,7 +94,8 @@ class Files:
         too_long = len(kept.data) > self.limit(path)
         self.spend(len(kept.data))
         if too_long:
-            self.note(f"{shown(path.name)} is too large for saved responses; it was left out.")
+            said = _("{file} is too large for saved responses; it was left out.")
+            self.note(said.format(file=shown(path.name)))
             return
         while path in self.kept:  # of another piece
             path = path.with_name(f"{path.stem}_{path.suffix}")

@@ -15,6 +15,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from autograder.exchange.responses import RECEIPT, keep_response
+from autograder.language import N_, _, chosen, use
 
 SUBMITTED = "submitted.txt"  # when `submit()` packed it: a hint, students can change it
 LARGE = 4 * 2**20  # bytes; JSON of this size needs at most about 150 MB while it is read
@@ -25,9 +26,9 @@ _CHILD_SECONDS = 60
 # Without installed packages and without the current folder: only this package is to be found.
 _READ = (
     "import sys; sys.path.append(sys.argv[1]); "
-    "from autograder.intake.notebook_reader import read_for_parent; read_for_parent()"
+    "from autograder.intake.notebook_reader import read_for_parent; read_for_parent(sys.argv[2])"
 )
-_TOO_LARGE = "is too large to be read; clear its outputs and save it again."
+_TOO_LARGE = N_("{name} is too large to be read; clear its outputs and save it again.")
 
 
 class Unreadable(Exception):
@@ -61,7 +62,9 @@ def parse_notebook(data: bytes, name: str) -> Notebook:
     document = parse_json(data, name)
     if not isinstance(document, dict):
         raise Unreadable(
-            f"{name} is not a notebook: it holds {_kind(document)} of JSON; save it again."
+            _("{name} is not a notebook: it holds {kind} of JSON; save it again.").format(
+                name=name, kind=_kind(document)
+            )
         )
     sheets = document.get("worksheets")
     if isinstance(document.get("cells"), list):
@@ -75,24 +78,30 @@ def parse_notebook(data: bytes, name: str) -> Notebook:
         ]
     else:
         raise Unreadable(
-            f"{name} is not a notebook: it has no list of cells; save it from Jupyter."
+            _("{name} is not a notebook: it has no list of cells; save it from Jupyter.").format(
+                name=name
+            )
         )
 
     sources: list[str] = []
     receipts: dict[str, object] = {}
     notes: list[str] = []
     if document.get("nbformat") in (2, 3):
-        notes.append(f"{name} is in an old notebook format (nbformat {document['nbformat']}).")
+        said = _("{name} is in an old notebook format (nbformat {number}).")
+        notes.append(said.format(name=name, number=document["nbformat"]))
     for cell in cells:
         if not isinstance(cell, dict):
-            notes.append(f"{name} holds something that is not a cell; it was left out.")
+            said = _("{name} holds something that is not a cell; it was left out.")
+            notes.append(said.format(name=name))
         elif cell.get("cell_type") == "code":
             sources.append(_source(cell))
             receipts |= _receipts(cell)
     if len(sources) > MAX_CELLS:
-        raise Unreadable(f"{name} has more than {MAX_CELLS} code cells.")
+        said = _("{name} has more than {count} code cells.")
+        raise Unreadable(said.format(name=name, count=MAX_CELLS))
     if sum(map(len, sources)) > MAX_CODE:
-        raise Unreadable(f"{name} has more than {MAX_CODE // 2**20} million characters of code.")
+        said = _("{name} has more than {count} million characters of code.")
+        raise Unreadable(said.format(name=name, count=MAX_CODE // 2**20))
     return Notebook(sources, receipts, list(dict.fromkeys(notes)))
 
 
@@ -103,25 +112,33 @@ def parse_json(data: bytes, name: str) -> object:
         Unreadable: if it is none.
     """
     if not data.strip():
-        raise Unreadable(f"{name} is empty; save it again before handing it in.")
+        said = _("{name} is empty; save it again before handing it in.")
+        raise Unreadable(said.format(name=name))
     try:
         encoding = json.detect_encoding(data)
         text = data.decode(encoding)
     except UnicodeDecodeError:
-        raise Unreadable(f"{name} is not text; hand in the .ipynb file itself.") from None
+        said = _("{name} is not text; hand in the .ipynb file itself.")
+        raise Unreadable(said.format(name=name)) from None
     try:
         return json.loads(text)
     except json.JSONDecodeError as error:
         if error.pos >= len(text.rstrip()) - 1 or error.msg.startswith("Unterminated"):
             raise Unreadable(
-                f"{name} is cut off after {len(text)} characters; copy or upload it again."
+                _("{name} is cut off after {count} characters; copy or upload it again.").format(
+                    name=name, count=len(text)
+                )
             ) from None
         raise Unreadable(
-            f"{name} is damaged (line {error.lineno}: {error.msg.lower()}); save it again."
+            _("{name} is damaged (line {line}: {reason}); save it again.").format(
+                name=name, line=error.lineno, reason=error.msg.lower()
+            )
         ) from None
     except (RecursionError, ValueError):  # ValueError: an integer of 5,000 digits
         raise Unreadable(
-            f"{name} holds data that does not belong in a notebook; save it again."
+            _("{name} holds data that does not belong in a notebook; save it again.").format(
+                name=name
+            )
         ) from None
 
 
@@ -144,14 +161,16 @@ def _receipts(cell: dict[str, object]) -> dict[str, object]:
 
 
 def _kind(document: object) -> str:
-    return {list: "a list", str: "a text", type(None): "nothing"}.get(type(document), "a number")
+    return {list: _("a list"), str: _("a text"), type(None): _("nothing")}.get(
+        type(document), _("a number")
+    )
 
 
 def _read_large(data: bytes, name: str) -> Notebook:
     """Read it in a process that may use only so much memory and time."""
     try:
         done = subprocess.run(
-            [sys.executable, "-I", "-S", "-c", _READ, str(Path(__file__).parents[2])],
+            [sys.executable, "-I", "-S", "-c", _READ, str(Path(__file__).parents[2]), chosen()],
             input=data,
             stdout=subprocess.PIPE,
             stderr=subprocess.DEVNULL,
@@ -164,13 +183,14 @@ def _read_large(data: bytes, name: str) -> Notebook:
     if "reason" in reply:
         raise Unreadable(reply["reason"].replace("\0", name))
     if "cells" not in reply:
-        raise Unreadable(f"{name} {_TOO_LARGE}")
+        raise Unreadable(_(_TOO_LARGE).format(name=name))
     notes = [note.replace("\0", name) for note in reply["notes"]]
     return Notebook(reply["cells"], reply["receipts"], notes)
 
 
-def read_for_parent() -> None:
+def read_for_parent(language: str) -> None:
     """Read the notebook on standard input, within a limit, and answer on standard output."""
+    use(language)
     gc.disable()  # what JSON gives holds no cycles, and looking for them takes most of the time
     try:
         import resource

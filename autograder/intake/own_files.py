@@ -13,6 +13,7 @@ _WRITTEN = (
     *("class_questions.csv", "class_mistakes.csv", "class_students.csv"),
     *("canvas.csv", "moodle.csv", "csv.csv"),
 )
+_DEEPEST = 4  # folders in folders, of those that --out names
 _STARTS = (_GRADEBOOK, "feedback_for_")
 
 
@@ -21,14 +22,17 @@ def is_side_file(place: Place) -> bool:
     return place.name.lower() in _SIDE_FILES and not place.is_folder
 
 
-def is_reports(place: Place) -> bool:
+def is_reports(place: Place, deep: int = 0) -> bool:
     """Whether a folder is one that ``--out`` named: there is a gradebook in it, and nobody's work.
 
-    A student who puts a file of that name beside a notebook is still a student.
+    So is one above it that holds nothing else, as for ``--out grades/monday``. A student who puts
+    a file of that name beside a notebook is still a student.
     """
-    if not place.is_folder:
+    if not place.is_folder or deep > _DEEPEST:
         return False
     below = place.children()
+    if below and all(child.is_folder for child in below):
+        return all(is_reports(child, deep + 1) for child in below)
     return any(child.name == _GRADEBOOK for child in below) and not any(
         is_notebook_name(child.name)
         or child.name in ("notebooks", "responses")

@@ -17,21 +17,21 @@ from autograder.gradebook.changes import Change
 from autograder.gradebook.record import Override, Record, names_of
 from autograder.kinds.registry import kind_of
 from autograder.kinds.status import Status
+from autograder.language import _, n_
 from autograder.marking import Mark
 from autograder.reports.machine import most_for
 
 NARROW = 60  # columns, below which tables are written as lines
-LEGEND = "  ".join(f"{status.sign} {status}" for status in Status)
 
 
-def progress_bar(doing: str = "grading") -> Progress:
+def progress_bar(doing: str = "") -> Progress:
     """A bar with the count and the time that is left; silent when nobody watches.
 
     It goes to standard error, so that standard output holds results only.
     """
     console = Console(stderr=True, highlight=False)
     return Progress(
-        TextColumn(doing),
+        TextColumn(doing or _("grading")),
         BarColumn(),
         MofNCompleteColumn(),
         TimeRemainingColumn(),
@@ -56,10 +56,10 @@ def print_table(console: Console, course: Course, records: Sequence[Record]) -> 
         _print_lines(console, course, records)
         return
     table = Table(box=None, pad_edge=False)
-    table.add_column("student", overflow="fold")
+    table.add_column(_("student"), overflow="fold")
     for chapter in course.chapters:
         table.add_column(chapter.title, overflow="fold")
-    table.add_column("points", justify="right")
+    table.add_column(_("points"), justify="right")
     table.add_column("", overflow="fold")
     names = names_of(records)
     for record in records:
@@ -75,10 +75,10 @@ def print_table(console: Console, course: Course, records: Sequence[Record]) -> 
             escape(printable(names[record.student])),
             *signs,
             f"{record.total:g} / {most_for(course, record):g}" + (" +?" if record.open else ""),
-            escape(printable(" ".join(record.graded.notes))),
+            escape(printable(" ".join(map(_, record.graded.notes)))),
         )
     console.print(table)
-    console.print(f"[dim]{LEGEND}[/]")
+    console.print(f"[dim]{legend()}[/]")
 
 
 def _print_lines(console: Console, course: Course, records: Sequence[Record]) -> None:
@@ -93,8 +93,8 @@ def _print_lines(console: Console, course: Course, records: Sequence[Record]) ->
             )
             _line(console, f"  {signs}  {chapter.title}")
         for note in record.graded.notes:
-            _line(console, f"  ! {note}")
-    _line(console, LEGEND)
+            _line(console, f"  ! {_(note)}")
+    _line(console, legend())
 
 
 def print_changes(console: Console, earned: Mapping[str, float], changes: Sequence[Change]) -> None:
@@ -108,15 +108,24 @@ def print_changes(console: Console, earned: Mapping[str, float], changes: Sequen
         of_student = list(entries)
         before = earned[student]
         gained = sum(change.points for change in of_student)
-        _line(console, f"{student}: {before:g} → {round(before + gained, 2):g} points")
+        said = _("{student}: {before} → {after} points")
+        after = f"{round(before + gained, 2):g}"
+        _line(console, said.format(student=student, before=f"{before:g}", after=after))
         for change in of_student:
-            kept = "; the override stays" if change.overridden else ""
+            kept = f"; {_('the override stays')}" if change.overridden else ""
             _line(
                 console,
                 f"  {change.question}: {_verdict(change.before)} → {_verdict(change.after)}{kept}",
             )
-    students = "1 student" if count == 1 else f"{count} students"
-    _line(console, f"{len(changes)} marks of {students} differ." if changes else "No mark differs.")
+    if not changes:
+        _line(console, _("No mark differs."))
+        return
+    said = n_(
+        "{marks} marks of {count} student differ.",
+        "{marks} marks of {count} students differ.",
+        count,
+    )
+    _line(console, said.format(marks=len(changes), count=count))
 
 
 def print_key(console: Console, course: Course, record: Record) -> None:
@@ -127,8 +136,10 @@ def print_key(console: Console, course: Course, record: Record) -> None:
     own = course.for_student(record.graded.numbers_of)
     console.print(f"[bold]{escape(printable(record.name))}[/]", soft_wrap=True)
     whose = record.graded.numbers_of if course.personal else ""
-    said = f"the numbers of {whose}" if whose else "the numbers of the sheet"
-    _line(console, f"marked by {said}")
+    said = (
+        _("marked by the numbers of {name}") if whose else _("marked by the numbers of the sheet")
+    )
+    _line(console, said.format(name=whose))
     for question in own.questions.values():
         numbers = own.numbers(question.id) or {}
         told = ", ".join(f"{name} = {value:g}" for name, value in numbers.items())
@@ -149,43 +160,57 @@ def print_record(
         apart = filter(None, (person.login, person.email, person.id, person.section))
         _line(console, f"{person.name}: {', '.join(apart)}")
     if record.name != record.student:
-        _line(console, f"submission: {record.student}")
-    _line(
-        console,
-        f"{record.total:g} of {most_for(course, record):g} points, {record.graded.status}"
-        + (f", {len(record.open)} not marked yet" if record.open else ""),
+        _line(console, _("submission: {name}").format(name=record.student))
+    said = _("{some} of {all} points, {status}").format(
+        some=f"{record.total:g}",
+        all=f"{most_for(course, record):g}",
+        status=_("graded") if record.graded.status == "graded" else _("unreadable"),
     )
+    if record.open:
+        said += ", " + _("{count} not marked yet").format(count=len(record.open))
+    _line(console, said)
     for past in record.past():
-        _line(console, f"attempt handed in {past.handed_in or 'before'}: {past.total:g} points")
+        said = _("attempt handed in {time}: {points} points")
+        time = past.handed_in or _("before")
+        _line(console, said.format(time=time, points=f"{past.total:g}"))
     if record.late_days:
-        _line(
-            console,
-            f"{record.late_days} days late: {record.late_percent:g} % off, "
-            f"that is {record.deduction:g} points",
+        said = n_(
+            "{count} day late: {percent} % off, that is {points} points",
+            "{count} days late: {percent} % off, that is {points} points",
+            record.late_days,
+        ).format(
+            count=record.late_days,
+            percent=f"{record.late_percent:g}",
+            points=f"{record.deduction:g}",
         )
-    _line(console, f"handed in: {record.graded.submission.path}")
+        _line(console, said)
+    _line(console, _("handed in: {path}").format(path=record.graded.submission.path))
     for note in record.graded.notes:
-        _line(console, f"! {note}")
+        _line(console, f"! {_(note)}")
     is_narrow = console.width < NARROW
     table = Table(box=None, pad_edge=False)
     table.add_column("")
-    table.add_column("question", no_wrap=True)
-    table.add_column("points", justify="right", no_wrap=True)
-    table.add_column("understood as", overflow="fold", ratio=1)
-    table.add_column("verdict", overflow="fold", ratio=2)
+    table.add_column(_("question"), no_wrap=True)
+    table.add_column(_("points"), justify="right", no_wrap=True)
+    table.add_column(_("understood as"), overflow="fold", ratio=1)
+    table.add_column(_("verdict"), overflow="fold", ratio=2)
     for question in course.questions.values():
         mark = record.marks.get(question.id)
         if mark is None:
             continue
         override = record.overrides.get(question.id)
         said = f"{mark.alternative}: {mark.feedback}" if mark.alternative else mark.feedback
-        said += f" (evidence: {mark.evidence})" if mark.alternative and mark.evidence else ""
+        if mark.alternative and mark.evidence:
+            said += " " + _("(evidence: {evidence})").format(evidence=mark.evidence)
         if override is not None:
             levels = "".join(f"{name}: {level}; " for name, level in override.levels.items())
-            by_hand = f"given by hand ({levels}{override.reason})"
-            said = f"{by_hand}; the grader said {mark.points:g}. {said}"
+            by_hand = _("given by hand ({reason}); the grader said {points}.")
+            said = (
+                by_hand.format(reason=f"{levels}{override.reason}", points=f"{mark.points:g}")
+                + f" {said}"
+            )
         if reason := record.open_reason(question.id):
-            said = f"not marked yet: {reason}. {said}"
+            said = _("not marked yet: {reason}.").format(reason=reason) + f" {said}"
         counts = record.scheme.remark(question.id, record) if record.scheme else ""
         points = record.points(question.id)
         shown = f"{'?' if points is None else f'{points:g}'} / {question.points:g}"
@@ -204,12 +229,20 @@ def print_record(
     if not is_narrow:
         console.print(table)
     for entry in overrides:
-        given = "withdrawn" if entry.points is None else f"{entry.points:g} points"
-        by = f" by {entry.author}" if entry.author else ""
-        _line(console, f"override {entry.made_at}{by}: {entry.question} {given} ({entry.reason})")
+        points = entry.points
+        given = (
+            _("withdrawn") if points is None else _("{count} points").format(count=f"{points:g}")
+        )
+        said = _("override {when}: {question} {given} ({reason})").format(
+            when=_when(entry.made_at, entry.author),
+            question=entry.question,
+            given=given,
+            reason=entry.reason,
+        )
+        _line(console, said)
     for remark in record.notes:
-        by = f" by {remark.author}" if remark.author else ""
-        _line(console, f"note {remark.made_at}{by}: {remark.text}")
+        when = _when(remark.made_at, remark.author)
+        _line(console, _("note {when}: {text}").format(when=when, text=remark.text))
 
 
 def printable(text: str) -> str:
@@ -221,10 +254,19 @@ def _line(console: Console, text: str) -> None:
     console.print(printable(text), markup=False, soft_wrap=True)
 
 
+def legend() -> str:
+    """What the signs of a table mean."""
+    return "  ".join(f"{status.sign} {_(status)}" for status in Status)
+
+
+def _when(time: str, author: str) -> str:
+    return _("{time} by {author}").format(time=time, author=author) if author else time
+
+
 def _sign(status: str) -> str:
     return f"[{Status(status).color}]{Status(status).sign}[/]"
 
 
 def _verdict(mark: Mark) -> str:
     named = mark.alternative if mark.alternative not in (None, mark.status) else ""
-    return f"{mark.points:g} ({mark.status}{', ' if named else ''}{named})"
+    return f"{mark.points:g} ({_(mark.status)}{', ' if named else ''}{named})"

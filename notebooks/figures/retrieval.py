@@ -268,7 +268,7 @@ def precision_recall(
             right, wrong, missed = decisions.at(threshold if closes else np.inf)
             loops = f"{right} right, {wrong} wrong, {missed} missed loops"
             chosen = f"threshold {threshold:.3g}" if closes else "no loop closed"
-            axes.set_title(f"{where}, {chosen}: {loops}", fontsize=9)
+            axes.set_title(f"{where}, {chosen}:\n{loops}", fontsize=9)
             axes.set_xlabel(f"threshold: {label}")
             said.append(f"{label}, {where}, {chosen}: {loops}")
     if said:

@@ -37,6 +37,7 @@ REPORTS = (
     [
         *((maker, ".") for maker in (moodle, canvas, gradescope, nbgrader, github, plain)),
         *((github, None), (plain, None), (moodle, "results")),
+        *((maker, "results/week/monday") for maker in (moodle, canvas, nbgrader, github, plain)),
     ],
 )
 def test_a_second_run_in_the_folder_finds_the_same_students(

@@ -2,7 +2,7 @@
 
 from autograder.kinds.status import Status
 from autograder.marking import STATUSES
-from autograder.reports.terminal import LEGEND
+from autograder.reports.terminal import legend
 
 
 def test_each_status_has_a_sign_of_its_own_and_words():
@@ -16,4 +16,4 @@ def test_each_status_has_a_sign_of_its_own_and_words():
 def test_a_status_is_its_text_wherever_it_is_compared_or_written():
     assert Status("not attempted") == "not attempted"
     assert f"{Status.KILLED}" == "killed"
-    assert "● recorded" in LEGEND
+    assert "● recorded" in legend()

@@ -11,6 +11,7 @@ import pytest
 from autograder.cli import main
 from autograder.course import load_course
 from autograder.kinds.registry import kind_of
+from autograder.language import use
 from autograder.marking.draw import set_number
 from autograder.marking.marker import Marker
 from tests.classroom import hand_in, make_course
@@ -66,6 +67,19 @@ def test_the_page_tells_what_the_example_that_students_see_raises(tmp_path, cour
     assert "KeyError" in (tmp_path / "out/feedback/ada.html").read_text()
     assert "my words" in (tmp_path / "out/feedback/ada.html").read_text()
     assert "On the example that you can see" in (tmp_path / "out/feedback/bob.html").read_text()
+
+
+def test_the_example_is_asked_whatever_language_the_course_speaks(tmp_path):
+    root = make_course(tmp_path / "course").root
+    with (root / "pyproject.toml").open("a") as file:
+        file.write('[tool.autograder]\nlanguage = "de"\n')
+    hand_in(tmp_path / "work", "bob", Q4="def heaviest(w):\n    return object()")
+    try:
+        grade(tmp_path, root)
+    finally:
+        use("")
+    page = (tmp_path / "out/feedback/bob.html").read_text(encoding="utf-8")
+    assert "Bei dem Beispiel, das Sie sehen können: es wurde etwas zurückgegeben" in page
 
 
 def grade(folder: Path, root: Path, *options: str) -> None:
