@@ -24,7 +24,7 @@ import tempfile
 import time
 from pathlib import Path
 
-from tests.classroom import hand_in, make_course
+from tests.classroom import hand_in, make_course, stored
 
 CONTENDERS = {
     "threads, --jobs 1": ("--jobs", "1"),
@@ -62,32 +62,21 @@ def grade(course: Path, work: Path, out: Path, more: tuple[str, ...]) -> tuple[f
     return seconds, after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
 
 
-def stored(out: Path) -> int:
-    """How many submissions a gradebook has; 0 while there is none."""
-    import sqlite3
-    from contextlib import closing
-
-    try:
-        with closing(sqlite3.connect(f"file:{out / 'gradebook.db'}?mode=ro", uri=True)) as db:
-            return int(db.execute("SELECT count(*) FROM submission").fetchone()[0])
-    except sqlite3.OperationalError:
-        return 0
-
-
 def go_on(course: Path, work: Path, out: Path, many: int, more: tuple[str, ...]) -> float:
     """Kill the coordinator half-way; the seconds from the next start to the next one stored."""
     process = start(course, work, out, more)
-    while stored(out) < many // 2 and process.poll() is None:
+    book = out / "gradebook.db"
+    while stored(book) < many // 2 and process.poll() is None:
         time.sleep(0.02)
     process.send_signal(signal.SIGKILL)
     process.communicate()
-    before, began = stored(out), time.perf_counter()
+    before, began = stored(book), time.perf_counter()
     process = start(course, work, out, more)
-    while stored(out) <= before and process.poll() is None:
+    while stored(book) <= before and process.poll() is None:
         time.sleep(0.01)
     seconds = time.perf_counter() - began
     _, said = process.communicate()
-    if process.returncode or stored(out) != many:
+    if process.returncode or stored(book) != many:
         sys.exit(f"It did not go on: {said.decode(errors='replace')}")
     return seconds
 

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import json
 import shutil
+import sqlite3
+from contextlib import closing
 from pathlib import Path
 from typing import Any
 
@@ -260,6 +262,16 @@ def fill(book: Gradebook, *entries: Graded, seed: int = 1) -> None:
     for entry in entries:
         book.store(entry, run)
     book.finish_run(run, 1.0)
+
+
+def stored(gradebook: Path) -> int:
+    """How many submissions a gradebook has that another process writes; 0 while there is none."""
+    try:
+        address = f"file:{gradebook}?mode=ro"
+        with closing(sqlite3.connect(address, uri=True, timeout=30)) as db:
+            return int(db.execute("SELECT count(*) FROM submission").fetchone()[0])
+    except sqlite3.OperationalError:
+        return 0
 
 
 def copy_course(course: Course, root: Path) -> Course:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Callable, Collection
-from contextlib import ExitStack, suppress
+from contextlib import ExitStack
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -19,7 +19,7 @@ from autograder.grading.crossing import pack_order, unpack_result
 from autograder.grading.dask_address import ClusterAddress
 from autograder.grading.dask_connection import ClusterError, connect, gone, gone_in_one_sentence
 from autograder.grading.dask_crew import Crew
-from autograder.grading.dask_worker import Wanted, grade_here, rest, software
+from autograder.grading.dask_worker import Wanted, grade_here, software
 from autograder.grading.graded import Graded, same_mark_for_all
 from autograder.grading.spread import Task
 from autograder.marking.marker import Marker
@@ -72,10 +72,9 @@ class DaskCluster:
         return self
 
     def __exit__(self, *exception: object) -> None:
-        if self._client is not None and exception[0] is None:
-            with suppress(Exception):  # a courtesy: a later run opens them again
-                self._client.run(rest, self._wanted.name)
         if self._crew is not None:
+            if exception[0] is None:
+                self._crew.rest()
             self._crew.close()
         self._sent.clear()
         self._stack.close()

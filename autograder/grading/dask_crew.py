@@ -5,18 +5,22 @@ from __future__ import annotations
 import time
 from collections.abc import Callable
 from concurrent.futures import Future, ThreadPoolExecutor
+from contextlib import suppress
 from dataclasses import dataclass
 
+import dask.config
+from dask.utils import parse_timedelta
 from distributed import Client
 
 from autograder.grading.dask_connection import ClusterError
-from autograder.grading.dask_worker import Wanted, prepare, proof
+from autograder.grading.dask_worker import Wanted, prepare, proof, rest
 
 FIRST_WORKER_SECONDS = 120.0
 ALONE_SECONDS = 300.0  # how long a run waits for a worker after the last has left
 REFUSED_SECONDS = 20.0  # the same, if those that are there were refused
 _LOOK_SECONDS = 2.0
 _NEWCOMER_SECONDS = 0.3
+_REST_SECONDS = 5.0
 _MOST_NAMED = 20
 
 
@@ -43,8 +47,12 @@ class Crew:
         self._next_look = 0.0
         self._last_ready = time.monotonic()
         self._started = self._doubtful = False
-        self._beside = ThreadPoolExecutor(1, "crew")
+        self._beside = ThreadPoolExecutor(2, "crew")
         self._look: Future[None] | None = None
+        self._look_began = 0.0
+        # As long as a scheduler waits for a worker that is silent, if Dask is not told otherwise.
+        ttl = dask.config.get("distributed.scheduler.worker-ttl")
+        self._patience = parse_timedelta(ttl) if ttl else None
 
     @property
     def slots(self) -> int:
@@ -95,13 +103,18 @@ class Crew:
 
         Raises:
             ClusterError: if nobody is left, and nobody has come for some time.
+            TimeoutError: if the scheduler is there and does not answer.
         """
         now = time.monotonic()
         if self._look is None:
             if now >= self._next_look:
-                self._look = self._beside.submit(self._see)
+                self._look, self._look_began = self._beside.submit(self._see), now
             return
         if not self._look.done():
+            # It may wait for a worker that hangs, or for the scheduler.
+            if self._patience and now - self._look_began > self._patience:
+                self._who_is_there()
+                self._look_began = time.monotonic()
             return
         look, self._look = self._look, None
         look.result()
@@ -118,12 +131,25 @@ class Crew:
                 "run this command again to go on."
             )
 
+    def rest(self) -> None:
+        """Have workers close what is idle: a courtesy, so none is waited for that hangs."""
+        asked = self._beside.submit(self._client.run, rest, self._wanted.name)
+        with suppress(Exception):
+            asked.result(_REST_SECONDS)
+
     def close(self) -> None:
         """Look no more."""
         self._beside.shutdown(wait=False, cancel_futures=True)
 
+    def _who_is_there(self) -> dict[str, dict[str, object]]:
+        identity = self._client.sync(
+            self._client.scheduler.identity, n_workers=-1, callback_timeout=self._patience
+        )
+        there: dict[str, dict[str, object]] = identity["workers"]
+        return there
+
     def _see(self) -> None:
-        there = self._client.scheduler_info(n_workers=-1)["workers"]
+        there = self._who_is_there()
         self._names |= {address: str(worker["name"]) for address, worker in there.items()}
         members = {a: self._members.get(a, Member("new")) for a in there}
         if self._doubtful:

@@ -15,7 +15,7 @@ from contextlib import closing
 from pathlib import Path
 
 from autograder.sandbox.processes import descendants
-from tests.classroom import hand_in, make_course
+from tests.classroom import hand_in, make_course, stored
 
 REPOSITORY = Path(__file__).parents[2]
 LIMITS = """
@@ -82,15 +82,6 @@ def marks(path: Path) -> list[tuple[object, ...]]:
     """Every mark in a gradebook, to the last character, without when and how fast it was given."""
     with closing(sqlite3.connect(path)) as db:
         return db.execute("SELECT student, question, mark FROM mark ORDER BY 1, 2").fetchall()
-
-
-def stored(path: Path) -> int:
-    """How many submissions a gradebook has; 0 while there is none."""
-    try:
-        with closing(sqlite3.connect(f"file:{path}?mode=ro", uri=True, timeout=30)) as db:
-            return int(db.execute("SELECT count(*) FROM submission").fetchone()[0])
-    except sqlite3.OperationalError:
-        return 0
 
 
 def workers(coordinator: int) -> list[int]:

@@ -117,26 +117,30 @@ def test_a_worker_that_breaks_is_left_alone_and_one_that_joins_late_takes_over(r
     assert marks(root / "late/gradebook.db") == local
 
 
-def test_a_scheduler_that_dies_ends_the_run_with_one_sentence_and_it_goes_on_later(
-    root, lab, local
+@pytest.mark.parametrize("how", [signal.SIGKILL, signal.SIGSTOP], ids=["dies", "hangs"])
+def test_a_scheduler_that_is_lost_ends_the_run_with_one_sentence_and_it_goes_on_later(
+    root, lab, local, how
 ):
     scheduler = lab.scheduler()
     lab.worker("one")
-    process = start(root, "dead", "--cluster", lab.address)
-    wait_until(lambda: stored(root / "dead/gradebook.db") >= 3)
-    scheduler.kill()
+    out = f"lost to {how.name}"
+    process = start(root, out, "--cluster", lab.address, **lab.environment)
+    wait_until(lambda: stored(root / out / "gradebook.db") >= 3)
+    os.kill(scheduler.pid, how)
     said, _ = process.communicate(timeout=60)
+    scheduler.kill()
+    scheduler.wait()
     assert process.returncode == 1
     assert said.count("\n") == 1, said
     sentence = said
     assert f"The scheduler at {lab.address} has gone. What was graded is kept" in sentence
-    assert 3 <= stored(root / "dead/gradebook.db") < STUDENTS
+    assert 3 <= stored(root / out / "gradebook.db") < STUDENTS
     lab.scheduler()
     lab.worker("another")
-    process = start(root, "dead", "--cluster", lab.address)
+    process = start(root, out, "--cluster", lab.address)
     said, _ = process.communicate(timeout=300)
     assert process.returncode == 0, said
-    assert marks(root / "dead/gradebook.db") == local
+    assert marks(root / out / "gradebook.db") == local
 
 
 @pytest.mark.parametrize("how", [signal.SIGSTOP, signal.SIGTERM], ids=["hangs", "leaves"])
