@@ -127,11 +127,13 @@ class Gradebook:
             db.execute(
                 "INSERT INTO submission "
                 "(student, path, fingerprint, status, notes, run, seconds, origin, predictions, "
-                "numbers_of) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT (student) DO UPDATE "
+                "numbers_of, isolation) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) "
+                "ON CONFLICT (student) DO UPDATE "
                 "SET path = excluded.path, fingerprint = excluded.fingerprint, "
                 "status = excluded.status, notes = excluded.notes, run = excluded.run, "
                 "seconds = excluded.seconds, origin = excluded.origin, "
-                "predictions = excluded.predictions, numbers_of = excluded.numbers_of",
+                "predictions = excluded.predictions, numbers_of = excluded.numbers_of, "
+                "isolation = excluded.isolation",
                 (
                     graded.submission.student,
                     path_to_text(graded.submission.path),
@@ -143,6 +145,7 @@ class Gradebook:
                     json.dumps(graded.submission.origin.to_dict()),
                     json.dumps(dict(graded.predictions)),
                     graded.numbers_of,
+                    graded.isolation,
                 ),
             )
             db.executemany(
@@ -158,8 +161,9 @@ class Gradebook:
     ) -> Graded | None:
         """What was graded before: the same work, in the same run, with a mark for each question."""
         rows = self._rows(
-            "SELECT path, status, notes, seconds, origin, predictions, numbers_of FROM submission "
-            "WHERE student = ? AND fingerprint = ? AND run = ? AND status = 'graded'",
+            "SELECT path, status, notes, seconds, origin, predictions, numbers_of, isolation "
+            "FROM submission WHERE student = ? AND fingerprint = ? AND run = ? "
+            "AND status = 'graded'",
             (student, fingerprint, run.id),
         )
         marked = self._rows(
@@ -167,7 +171,7 @@ class Gradebook:
         )
         if not rows or not {question for (question,) in marked} >= set(questions):
             return None
-        path, status, notes, seconds, origin, predictions, numbers_of = rows[0]
+        path, status, notes, seconds, origin, predictions, numbers_of, isolation = rows[0]
         with readable_entries(self.path):
             marks = self._marks("WHERE student = ?", (student,))[student]
             submission = Submission(student, path_from_text(path), origin=_origin(origin))
@@ -175,6 +179,7 @@ class Gradebook:
                 *(submission, status, fingerprint, marks, tuple(json.loads(notes)), seconds),
                 numbers_of=numbers_of,
                 predictions=json.loads(predictions),
+                isolation=isolation,
             )
 
     def works(self, student: str) -> list[str]:
@@ -293,15 +298,16 @@ class Gradebook:
             attempts.setdefault(student, []).append(Attempt(past, *fields))
         rows = self._rows(
             "SELECT student, path, fingerprint, status, notes, submission.seconds, origin, run, "
-            "seed, handed_in, late_days, late_percent, isolation, course_version, predictions, "
-            "numbers_of FROM submission JOIN run ON run.id = submission.run "
+            "seed, handed_in, late_days, late_percent, run.isolation, course_version, predictions, "
+            "numbers_of, submission.isolation FROM submission JOIN run ON run.id = submission.run "
             f"{chosen} ORDER BY student",
             names,
         )
         found, works = [], self._works_of([row[0] for row in rows])
         for student, path, fingerprint, status, odd, seconds, origin, run, seed, *rest in rows:
             number = set_number(student, fingerprint, works.get(student, ()))
-            handed_in, late_days, late_percent, isolation, version, predictions, numbers_of = rest
+            handed_in, late_days, late_percent, of_run, version, predictions, *rest = rest
+            numbers_of, isolation = rest
             submission = Submission(student, path_from_text(path), origin=_origin(origin))
             notes_on_files = tuple(json.loads(odd))
             found.append(
@@ -311,6 +317,7 @@ class Gradebook:
                         *(notes_on_files, seconds),
                         numbers_of=numbers_of,
                         predictions=json.loads(predictions),
+                        isolation=isolation,
                     ),
                     run,
                     seed,
@@ -319,7 +326,7 @@ class Gradebook:
                     handed_in,
                     late_days,
                     late_percent,
-                    isolation,
+                    isolation or of_run,
                     version,
                     tuple(attempts.get(student, ())),
                     disputes.get(student, {}),

@@ -99,6 +99,10 @@ ALTER TABLE submission ADD COLUMN predictions TEXT NOT NULL DEFAULT '{}';
 -- whose numbers it was marked by, empty where everybody has the sheet's
 ALTER TABLE submission ADD COLUMN numbers_of TEXT NOT NULL DEFAULT '';
 """,
+    """
+-- what kept its code in where it was graded; empty in older gradebooks, where the run's is known
+ALTER TABLE submission ADD COLUMN isolation TEXT NOT NULL DEFAULT '';
+""",
 )
 SCHEMA_VERSION = len(_STEPS)
 

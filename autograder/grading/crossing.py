@@ -92,6 +92,7 @@ def pack_result(result: Graded | Broken) -> bytes:
             "doubtful": result.is_doubtful,
             "numbers_of": result.numbers_of,
             "predictions": dict(result.predictions),
+            "isolation": result.isolation,
         }
     )
 
@@ -111,6 +112,7 @@ def unpack_result(data: bytes, submission: Submission) -> Graded | Broken:
         fields["doubtful"],
         fields["numbers_of"],
         fields["predictions"],
+        fields["isolation"],
     )
 
 

@@ -81,7 +81,12 @@ def _remote(address: str) -> Iterator[Client]:
         )
     try:
         client = Client(address, timeout=_CONNECT_SECONDS, name="autograder", set_as_default=False)
-    except (OSError, ValueError, TypeError) as error:
+    except (
+        OSError,
+        ValueError,
+        TypeError,
+        AssertionError,
+    ) as error:  # a setting out of range is the last
         reason = str(error).partition("\n")[0][:200] or type(error).__name__
         raise ClusterError(
             f"No Dask scheduler can be reached at {address} ({reason}); start one with "

@@ -31,6 +31,7 @@ class Graded:
     is_doubtful: bool = False
     numbers_of: str = ""  # who the work says it is from, where each student has their own numbers
     predictions: Mapping[str, Guess] = field(default_factory=dict)  # by id, as the course has them
+    isolation: str = ""  # what kept its code in, where it ran
 
     @property
     def total(self) -> float:

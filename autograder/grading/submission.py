@@ -54,7 +54,8 @@ def grade_submission(
     said = said_to_be(contents.sidecars) if marker.course.personal else ""
     predictions = predictions_of(contents, marker.course)
     return Graded(
-        *(submission, "graded", fingerprint, marks, notes, seconds, doubtful, said, predictions)
+        *(submission, "graded", fingerprint, marks, notes, seconds, doubtful, said, predictions),
+        isolation=sandbox.isolation,
     )
 
 

@@ -38,6 +38,7 @@ class Fingerprints:
             record.graded,
             submission=Submission(record.student, Path(), origin=replace(record.origin, pieces=())),
             seconds=0.0,
+            isolation="",
         )
         isolation = record.isolation if record.isolation.startswith("none") else ""
         told = replace(record, graded=graded, isolation=isolation, run=0)

@@ -203,6 +203,20 @@ def test_names_that_are_no_utf8_can_be_kept_and_found_again(book: Gradebook, tmp
     assert book.record("caf?").graded.submission.path == odd
 
 
+def test_each_submission_has_the_isolation_in_which_it_was_graded(book: Gradebook, tmp_path: Path):
+    run = book.begin_run("v", 1, "bubblewrap")
+    for student, isolation in (("ada", "Landlock"), ("boole", "bubblewrap"), ("curie", "")):
+        submission = Submission(student, tmp_path / f"{student}.zip")
+        marks = (mark("Q1", 1),)
+        book.store(Graded(submission, "graded", "f", marks, isolation=isolation), run)
+    told = {record.student: record.isolation for record in book.records()}
+    # Without its own, as after an older version, it is the run's.
+    assert told == {"ada": "Landlock", "boole": "bubblewrap", "curie": "bubblewrap"}
+    found = book.find("ada", "f", run)
+    assert found is not None
+    assert found.isolation == "Landlock"
+
+
 def test_any_text_of_a_student_can_be_kept(book: Gradebook):
     text = "\ud800 \x00 \x1b[31m '; DROP TABLE mark; --"
     fill(book, graded("ada", hostile_mark("Q1", text)))

@@ -5,10 +5,11 @@ import shutil
 import subprocess
 import sys
 from collections.abc import Iterator
+from itertools import count
 from pathlib import Path
 
 import pytest
-from cluster_class import Lab, make_class, marks, start
+from cluster_class import Lab, make_class, marks, start, stored, wait_until
 
 pytest.importorskip("distributed", reason="Dask is not installed: uv run --extra cluster pytest")
 pytestmark = [
@@ -16,7 +17,7 @@ pytestmark = [
     pytest.mark.skipif(sys.platform != "linux", reason="the sandbox is Linux's"),
 ]
 
-STUDENTS = 3
+STUDENTS = 4
 
 
 @pytest.fixture(scope="module")
@@ -75,11 +76,15 @@ def test_over_tls_the_marks_are_the_same_and_nobody_gets_in_without_a_certificat
         lab.stop()
 
 
+_numbers = count()
+
+
 class Network:
     """Network namespaces on a bridge: hosts as far as addresses and connections go."""
 
     def __init__(self) -> None:
-        self.name = f"ag{os.getpid() % 100000}"
+        # Another name for each: a host ends only with its last process.
+        self.name = f"ag{os.getpid() % 100000}x{next(_numbers)}"
         self.coordinator = "10.213.77.1"
         self._ip("link", "add", self.name, "type", "bridge")
         self._ip("address", "add", f"{self.coordinator}/24", "dev", self.name)
@@ -99,6 +104,14 @@ class Network:
         for device in ("lo", there):
             self._ip("-n", host, "link", "set", device, "up")
         return address, ["ip", "netns", "exec", host]
+
+    def cut(self, number: int) -> None:
+        """From now on no packet reaches the host with this number, and nobody is told."""
+        self._ip("link", "set", f"{self.name}h{number + 2}", "down")
+
+    def mend(self, number: int) -> None:
+        """Undo `cut`."""
+        self._ip("link", "set", f"{self.name}h{number + 2}", "up")
 
     def close(self) -> None:
         for host in self.hosts:
@@ -142,5 +155,51 @@ def test_workers_on_other_hosts_grade_and_the_coordinator_alone_writes(
         said, _ = process.communicate(timeout=300)
         assert process.returncode == 0, said
         assert marks(root / "hosts/gradebook.db") == local
+    finally:
+        lab.stop()
+
+
+SOON = {"DASK_DISTRIBUTED__COMM__TIMEOUTS__TCP": "15s"}  # until a dead connection is given up
+
+
+def test_a_worker_behind_a_network_that_hangs_costs_nobody_a_mark(root, local, tmp_path, network):
+    (tmp_path / "course").symlink_to(root / "course")
+    lab = Lab(tmp_path, host="10.213.77.2", **SOON)
+    try:
+        lab.scheduler(on=["ip", "netns", "exec", network.hosts[0]])
+        lab.worker("cut off", on=network.host()[1])
+        process = start(root, "cut", "--cluster", lab.address, **SOON)
+        wait_until(lambda: stored(root / "cut/gradebook.db") >= 1 or process.poll() is not None)
+        network.cut(1)
+        lab.worker("reached", on=network.host()[1])
+        said, _ = process.communicate(timeout=300)
+        assert process.returncode == 0, said
+        assert marks(root / "cut/gradebook.db") == local
+    finally:
+        lab.stop()
+
+
+def test_a_scheduler_behind_a_network_that_hangs_ends_the_run_which_goes_on_later(
+    root, local, tmp_path, network
+):
+    (tmp_path / "course").symlink_to(root / "course")
+    lab = Lab(tmp_path, host="10.213.77.2", **SOON)
+    try:
+        lab.scheduler(on=["ip", "netns", "exec", network.hosts[0]])
+        lab.worker("one", on=network.host()[1])
+        process = start(root, "lost", "--cluster", lab.address, **SOON)
+        wait_until(lambda: stored(root / "lost/gradebook.db") >= 1 or process.poll() is not None)
+        network.cut(0)
+        said, _ = process.communicate(timeout=300)
+        assert process.returncode == 1, said
+        assert "Traceback" not in said
+        assert lab.address in said
+        assert 1 <= stored(root / "lost/gradebook.db") < STUDENTS
+        network.mend(0)
+        lab.worker("two", on=network.host()[1])  # a worker without its scheduler ends
+        again = start(root, "lost", "--cluster", lab.address, **SOON)
+        said, _ = again.communicate(timeout=300)
+        assert again.returncode == 0, said
+        assert marks(root / "lost/gradebook.db") == local
     finally:
         lab.stop()

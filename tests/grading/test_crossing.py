@@ -42,7 +42,7 @@ def test_where_the_submission_lies_does_not_cross():
 
 
 def test_marks_cross_back_to_the_last_digit():
-    graded = Graded(SUBMISSION, "graded", "f" * 64, MARKS, ("a note",), 0.1)
+    graded = Graded(SUBMISSION, "graded", "f" * 64, MARKS, ("a note",), 0.1, isolation="walls")
     assert unpack_result(pack_result(graded), SUBMISSION) == graded
 
 

@@ -86,3 +86,31 @@ def test_the_chapter_runs_with_other_numbers_and_earns_everything(name, personal
 def test_the_students_who_are_tried_have_three_variants(personal):
     told = {tuple(personal.for_student(name).story("cloud").values()) for name in NAMES}
     assert len(told | {(1000, 0.2, 0.95)}) == 4
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_examples_worked_by_hand_are_tried_with_the_same_numbers(name, personal, capsys):
+    """The first chapter's two: each is said in a prompt, and drawn by a cell with its numbers."""
+    me(name)
+    own = personal.for_student(name)
+    text = next(
+        one.text
+        for one in unexecuted_solved_notebooks(personal)
+        if one.path.stem == "1_place_recognition"
+    )
+    cells = [cell.source for cell in nbformat.reads(text, 4).cells if cell.cell_type == "code"]
+    functions = re.compile(r"\Adef (assign_words|descend_tree)\b", re.MULTILINE)
+    space, _ = run(
+        cell
+        for cell in cells
+        if "from autograder import" in cell
+        or cell.startswith(("import", "from"))
+        or functions.search(cell)
+        or "numbers(" in cell
+    )
+    d, (far, high) = own.story("words")["d"], own.story("tree").values()
+    assert space["two"].tolist() == [[0, 0], [d, 0]]
+    assert f"$({d - 1}, 1)$" in own.question("Q1.3").prompt
+    assert f"The descriptor $({far - 1}, {high})$" in own.question("Q1.4").prompt
+    assert space["small_tree"][0].tolist() == [[0, 0], [far, 0]]
+    assert personal.question("Q1.4").prompt != own.question("Q1.4").prompt or (far, high) == (10, 1)
