@@ -60,6 +60,7 @@ def test_workers_that_are_killed_change_no_mark(root, local):
     assert marks(root / "killed/gradebook.db") == local
 
 
+@pytest.mark.long
 def test_a_killed_coordinator_leaves_no_process_and_goes_on_where_it_was(root, local):
     gradebook = root / "gone/gradebook.db"
     process = start(root, "gone", "--cluster", "local:2")
@@ -105,6 +106,7 @@ def compare(case, expected, actual):
 """
 
 
+@pytest.mark.long
 def test_a_submission_that_kills_its_workers_is_marked_so_and_the_rest_goes_on(tmp_path):
     """Its marks say that this is the grader's fault; whoever shared a worker loses nothing."""
     make_class(tmp_path, 6, 0)
