@@ -7,6 +7,7 @@ be blamed for the death of a worker that it shared with others.
 from __future__ import annotations
 
 import hashlib
+import time
 from collections.abc import Callable, Collection
 from contextlib import ExitStack
 from dataclasses import dataclass, replace
@@ -26,6 +27,7 @@ from autograder.marking.marker import Marker
 from autograder.sandbox.launcher import NO_SANDBOX, Isolation, SandboxError, isolation_parts
 
 _MOST_UNDER_WAY = 400
+_POLL_SECONDS = 0.02
 _MOST_BYTES = 256 * 2**20  # of contents under way
 
 
@@ -117,9 +119,9 @@ class DaskCluster:
                 raise gone(self._address)
             with gone_in_one_sentence(self._address):
                 self._crew.look_after()
-            with self._completed.thread_condition:
-                if not self._completed.has_ready():
-                    self._completed.thread_condition.wait(0.1)
+            if not self._completed.has_ready():
+                # Not on its condition: Ctrl-C while that takes its lock again leaves it without.
+                time.sleep(_POLL_SECONDS)
 
     def _start(self) -> None:
         self._client = self._stack.enter_context(connect(self._address))

@@ -17,6 +17,7 @@ def record_fields(course: Course, record: Record) -> dict[str, object]:
         "total": record.total,
         "max": most_for(course, record),
         "open": {question: record.open_reason(question) for question in record.open},
+        "isolation": record.isolation,
         "late_days": record.late_days,
         "deduction": record.deduction,
         "problems": list(record.graded.notes),
