@@ -85,8 +85,8 @@ def _remote(address: str) -> Iterator[Client]:
         OSError,
         ValueError,
         TypeError,
-        AssertionError,
-    ) as error:  # a setting out of range is the last
+        AssertionError,  # by a setting of Dask's that is out of range
+    ) as error:
         reason = str(error).partition("\n")[0][:200] or type(error).__name__
         raise ClusterError(
             f"No Dask scheduler can be reached at {address} ({reason}); start one with "
