@@ -19,7 +19,7 @@ class Alternative(Written, frozen=True, kw_only=True):
     @property
     def in_bundle(self) -> bool:
         """Whether a student bundle names it, with its feedback."""
-        return bool(getattr(self, "public", False))
+        return False
 
     @property
     def is_mistake(self) -> bool:
@@ -32,14 +32,22 @@ class Alternative(Written, frozen=True, kw_only=True):
             raise ValueError(f"the mistake {self.name!r} has no feedback")
 
 
-def check_public(alternative: Alternative) -> None:
-    """Whether an alternative may be named in a student bundle.
+class PublicAlternative(Alternative, frozen=True, kw_only=True):
+    """One whose author may let a student bundle name it."""
 
-    Raises:
-        ValueError: if it is right: that is the answer.
-    """
-    if alternative.in_bundle and not alternative.is_mistake:
-        raise ValueError(f"{alternative.name!r} is right; only a mistake may be public")
+    public: Annotated[
+        bool, Meta(description="whether a student bundle names it: its feedback tells no answer")
+    ] = False
+
+    @property
+    def in_bundle(self) -> bool:
+        """Whether a student bundle names it, with its feedback."""
+        return self.public
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if self.public and not self.is_mistake:
+            raise ValueError(f"{self.name!r} is right; only a mistake may be public")
 
 
 class Equivalent(Written, frozen=True, kw_only=True):

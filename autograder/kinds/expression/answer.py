@@ -6,23 +6,16 @@ from typing import Annotated
 
 from msgspec import Meta, field
 
-from autograder.kinds.answer import Alternative, Answer, check_public
+from autograder.kinds.answer import Answer, PublicAlternative
 from autograder.kinds.expression.question import Expression
 from autograder.kinds.written import Text
 
 
-class ExpressionAlternative(Alternative, frozen=True, kw_only=True):
+class ExpressionAlternative(PublicAlternative, frozen=True, kw_only=True):
     """A formula, equal up to multiples of ``modulo`` (a formula too) if that is given."""
 
     expression: Text
     modulo: str | None = None
-    public: Annotated[
-        bool, Meta(description="whether a student bundle names it: its feedback tells no answer")
-    ] = False
-
-    def __post_init__(self) -> None:
-        super().__post_init__()
-        check_public(self)
 
 
 class ExpressionAnswer(Answer, frozen=True, kw_only=True):

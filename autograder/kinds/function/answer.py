@@ -6,24 +6,17 @@ from typing import Annotated
 
 from msgspec import Meta, field
 
-from autograder.kinds.answer import Alternative, Answer, check_public
+from autograder.kinds.answer import Answer, PublicAlternative
 
 Dotted = Annotated[
     str, Meta(pattern=r"\S", description="a function of the course, as package.module:function")
 ]
 
 
-class FunctionAlternative(Alternative, frozen=True, kw_only=True):
+class FunctionAlternative(PublicAlternative, frozen=True, kw_only=True):
     """A whole wrong function, by its dotted name ``package.module:function``."""
 
     function: Dotted
-    public: Annotated[
-        bool, Meta(description="whether a student bundle names it: its feedback tells no answer")
-    ] = False
-
-    def __post_init__(self) -> None:
-        super().__post_init__()
-        check_public(self)
 
 
 class FunctionAnswer(Answer, frozen=True, kw_only=True):
