@@ -39,7 +39,7 @@ def marker():
         (("(1 - gain) * variance", "((1 - gain) * variance) ** 0.5"), {"its root (second result)"}),
         (("* variance\n", "* variance, gain\n"), {"more results"}),
         (
-            ("return mean + gain * (reading - mean)", "return round(mean + gain * (reading - mean), 1)"),
+            ("mean + gain * (reading - mean),", "round(mean + gain * (reading - mean), 1),"),
             {"rounded to 1 decimals (first result)"},
         ),
         ((", (1 - gain) * variance", ""), {"only the first"}),
