@@ -3,10 +3,12 @@
 Not a comparison, so `benchmarks/__main__.py` does not run it::
 
     uv run python -m benchmarks.cluster [--sizes 1000 10000 100000] [--zip]
+    uv run --extra cluster python -m benchmarks.cluster --sizes 20000 --zip --cluster local:2
 
 The submissions are empty notebooks, and instead of grading them each is given the marks of what
 was not attempted: everything else (taking in, reading, storing, every report) is what `autograder
-grade` does. Each size runs in a process of its own.
+grade` does. With ``--cluster`` they are really graded, and the memory of this process, which holds
+the scheduler too, is printed after each thousand. Each size runs in a process of its own.
 """
 
 from __future__ import annotations
@@ -26,6 +28,7 @@ from typing import Any
 
 import autograder.cli.grading_run as grading_run
 from autograder.cli import main as autograder
+from autograder.cli.tally import Tally
 from autograder.grading.graded import Graded, same_mark_for_all
 from autograder.grading.spread import Task
 from autograder.grading.whole_class import grade_class
@@ -82,7 +85,23 @@ def hand_in(folder: Path, count: int, is_zip: bool) -> Path:
     return folder / "class.zip"
 
 
-def measure(count: int, is_zip: bool) -> dict[str, float]:
+def memory_now() -> float:
+    """What this process has of the machine's memory, in MB; on Linux."""
+    pages = int(Path("/proc/self/statm").read_text(encoding="utf-8").split()[1])
+    return pages * resource.getpagesize() / 2**20
+
+
+class Told(Tally):
+    """Counts as ever, and says how much memory there is in use after each thousand."""
+
+    def add(self, entry: Graded) -> None:
+        super().add(entry)
+        if self.count == 1 or self.count % 1000 == 0:
+            now = time.strftime("%H:%M:%S")
+            print(f"{now} {self.count:7,} {memory_now():7.1f} MB", file=sys.stderr, flush=True)
+
+
+def measure(count: int, is_zip: bool, cluster: str | None) -> dict[str, float]:
     """Grade in this process: the peak of its memory in MB, and submissions stored a second.
 
     ``worked`` is a second of processor time, which other work on the machine does not change much.
@@ -95,13 +114,15 @@ def measure(count: int, is_zip: bool) -> dict[str, float]:
         spent["seconds"] = time.perf_counter() - began
         spent["processor"] = time.process_time() - worked
 
-    vars(grading_run).update(grade_class=timed, Threads=NothingAttempted)
+    vars(grading_run).update(grade_class=timed)
+    vars(grading_run).update({"Tally": Told} if cluster else {"Threads": NothingAttempted})
     with tempfile.TemporaryDirectory() as folder:
         root = Path(folder)
         make_course(root / "course")
         work = hand_in(root, count, is_zip)
         began = time.perf_counter()
         command = ["--course", str(root / "course"), "grade", str(work)]
+        command += ["--cluster", cluster] if cluster else []
         if autograder([*command, "--out", str(root / "grades")]) != 0:
             sys.exit("It was not graded.")
         whole = time.perf_counter() - began
@@ -119,20 +140,21 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--sizes", type=int, nargs="+", default=[1_000, 10_000, 100_000])
     parser.add_argument("--zip", action="store_true", help="a zip of zips instead of a folder")
+    parser.add_argument("--cluster", help="grade them really, on workers such as local:2")
     parser.add_argument("--one", type=int, help=argparse.SUPPRESS)
     parsed = parser.parse_args()
     if parsed.one:
-        print(json.dumps(measure(parsed.one, parsed.zip)))
+        print(json.dumps(measure(parsed.one, parsed.zip, parsed.cluster)))
         return
     print("| submissions | peak memory | stored a second | of processor | with all reports |")
     print("|---|---|---|---|---|")
     for size in parsed.sizes:
         command = [sys.executable, "-m", "benchmarks.cluster", "--one", str(size)]
-        done = subprocess.run(
-            [*command, *(["--zip"] if parsed.zip else [])], capture_output=True, text=True
-        )
+        command += ["--zip"] if parsed.zip else []
+        command += ["--cluster", parsed.cluster] if parsed.cluster else []
+        done = subprocess.run(command, stdout=subprocess.PIPE, text=True)
         if done.returncode:
-            sys.exit(done.stderr)
+            sys.exit(done.returncode)
         found = json.loads(done.stdout.splitlines()[-1])
         print(
             f"| {size:,} | {found['peak']:.0f} MB | {found['stored']:.0f} | "

@@ -92,9 +92,7 @@ def parser() -> argparse.ArgumentParser:
         epilog="AUTOGRADER_COURSE names the course's folder where --course is not given. "
         "All environment variables are described in docs/engine.md.",
     )
-    whole.add_argument(
-        "--course", type=Path, metavar="DIR", help="the course's folder (default: found from here)"
-    )
+    _add_course(whole, None)
     whole.add_argument(
         "--version",
         action="version",
@@ -103,4 +101,18 @@ def parser() -> argparse.ArgumentParser:
     commands = whole.add_subparsers(required=True, metavar="COMMAND")
     for command in _COMMANDS:
         command.add(commands)
+    for of_command in dict.fromkeys(commands.choices.values()):
+        # Suppressed: a default here would undo what stands before the command.
+        _add_course(of_command, argparse.SUPPRESS)
     return whole
+
+
+def _add_course(parser: argparse.ArgumentParser, default: str | None) -> None:
+    """The course's folder, before or after the command."""
+    parser.add_argument(
+        "--course",
+        type=Path,
+        default=default,
+        metavar="DIR",
+        help="the course's folder (default: found from here)",
+    )

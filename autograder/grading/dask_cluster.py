@@ -20,6 +20,7 @@ from autograder.grading.crossing import pack_order, unpack_result
 from autograder.grading.dask_address import ClusterAddress
 from autograder.grading.dask_connection import ClusterError, connect, gone, gone_in_one_sentence
 from autograder.grading.dask_crew import Crew
+from autograder.grading.dask_memory import forget_keys
 from autograder.grading.dask_worker import Wanted, grade_here, software
 from autograder.grading.graded import Graded, same_mark_for_all
 from autograder.grading.spread import Task
@@ -134,6 +135,7 @@ class DaskCluster:
 
     def _send(self, sent: _Sent) -> None:
         assert self._client is not None
+        forget_keys()
         with gone_in_one_sentence(self._address):
             future = self._client.submit(
                 grade_here,

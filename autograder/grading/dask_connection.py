@@ -12,10 +12,12 @@ from contextlib import contextmanager, suppress
 
 import dask.config
 from distributed import Client, LocalCluster
+from distributed.scheduler import DEFAULT_EXTENSIONS
 from distributed.security import Security
 
 from autograder.errors import AutograderError
 from autograder.grading.dask_address import ClusterAddress
+from autograder.grading.dask_memory import BRIEF, NoSpans
 
 DEATHS = 3  # of its workers, until Dask gives a task back
 _CONNECT_SECONDS = 20
@@ -45,7 +47,10 @@ def connect(address: ClusterAddress) -> Iterator[Client]:
     for name in list(logging.root.manager.loggerDict):
         if name.partition(".")[0] == "distributed":  # each has a level of its own
             logging.getLogger(name).setLevel(logging.CRITICAL)
-    with _local(address.local) if address.local else _remote(address.text) as client:
+    with (
+        dask.config.set(BRIEF),
+        _local(address.local) if address.local else _remote(address.text) as client,
+    ):
         try:
             yield client
         finally:
@@ -111,6 +116,7 @@ def _local(workers: int) -> Iterator[Client]:
                 host="127.0.0.1",
                 dashboard_address=dashboard,
                 memory_limit=0,  # the sandbox limits what submissions take
+                scheduler_kwargs={"extensions": {**DEFAULT_EXTENSIONS, "spans": NoSpans}},
                 silence_logs=logging.CRITICAL,
             )
         except (OSError, RuntimeError, TimeoutError) as error:

@@ -27,6 +27,7 @@ from autograder.course import Course, load_course
 from autograder.course.course import find_course_root
 from autograder.errors import AutograderError
 from autograder.grading.crossing import Broken, pack_result, unpack_order
+from autograder.grading.dask_memory import forget_keys
 from autograder.grading.submission import grade_submission
 from autograder.marking.marker import Marker
 from autograder.sandbox.launcher import Isolation, Sandbox, isolation_parts, isolation_text
@@ -99,6 +100,7 @@ class GradingPlugin(WorkerPlugin):
 
     def grade(self, data: bytes) -> bytes:
         """Grade one order; an error of this machine's own is the answer, not an exception."""
+        forget_keys()
         try:
             result = self._slots.grade(data)
         except AutograderError as error:

@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
+import argparse
 from pathlib import Path
 
 import pytest
 
 import autograder
-from autograder.cli import main
+from autograder.cli import main, parser
+from tests.classroom import hand_in, make_course
+
+COMMANDS = next(
+    action.choices for action in parser()._actions if isinstance(action, argparse._SubParsersAction)
+)
 
 
 @pytest.fixture
@@ -41,3 +47,32 @@ def test_the_doctor_says_that_a_named_course_does_not_exist(nowhere: Path, capsy
 def test_any_other_command_says_what_to_do(nowhere: Path, capsys, command: list[str]):
     assert main(command) == 1
     assert "change to the course's folder, or name it with --course" in capsys.readouterr().err
+
+
+def _arguments_of(command: argparse.ArgumentParser) -> list[str]:
+    """What the command asks for at least; of several choices the first."""
+    needed = []
+    for action in command._actions:
+        if action.required:
+            value = next(iter(action.choices or ["5"]))
+            needed += [*action.option_strings[:1], str(value)]
+    return needed
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+def test_every_command_takes_the_course_before_it_or_after_it(name: str):
+    rest = _arguments_of(COMMANDS[name])
+    before = parser().parse_args(["--course", "here", name, *rest])
+    after = parser().parse_args([name, *rest, "--course", "here"])
+    both = parser().parse_args(["--course", "there", name, *rest, "--course", "here"])
+    neither = parser().parse_args([name, *rest])
+    assert before.course == after.course == both.course == Path("here")
+    assert neither.course is None
+
+
+def test_a_class_is_read_with_the_course_named_at_the_end(nowhere: Path, capsys):
+    make_course(nowhere / "course")
+    hand_in(nowhere / "work", "ada")
+    hand_in(nowhere / "work", "boole")
+    assert main(["intake", str(nowhere / "work"), "--course", str(nowhere / "course")]) == 0
+    assert "2 handed in" in capsys.readouterr().out

@@ -6,17 +6,19 @@ at least two of these are wrong. Nothing of a student's is run for it.
 
 from __future__ import annotations
 
-import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import Any
 
 import numpy as np
 
 from autograder.exchange.messages import Value, Values
 from autograder.kinds.function.repairs import PLACES, Repair, repairs
 from autograder.language import N_, _, n_
+from autograder.marking.diagnosis.effort import Effort, numbers_in
 from autograder.marking.diagnosis.relations import RELATIONS, Diagnosis, looks_as_if
 
-MOST_SECONDS = 0.1  # of a processor, for one response
+_MOST_STEPS = 1_000_000  # for one response, some 0.1 s of a processor
+_A_COMPARISON = 50
 _FEWEST = 2  # wrong cases that a relation has to explain
 _TELLING_NUMBERS = 6  # different ones, for a line through them to say anything
 Same = Callable[[Mapping[str, object], object, object], bool]
@@ -40,7 +42,6 @@ def diagnose_function(
     ``same`` tells whether the second of two values counts as the first for a case, and
     ``counts_as_right`` the same by the question's own measure alone.
     """
-    end = time.thread_time() + MOST_SECONDS
     asked = [i for i, outcome in enumerate(right) if "value" in outcome]
     wrong = [i for i in asked if not verdicts[i]]
     if found := _never_a_value(outcomes, wrong):
@@ -62,18 +63,23 @@ def diagnose_function(
         return None  # an exception that counts as right
     if all(_explains(_itself, cases[i], right[i], outcomes[i], same) for i in asked):
         return _right_but(cases, outcomes, wrong)
+    costs = {i: _A_COMPARISON + numbers_in(outcomes[i]) for i in asked}
+    effort = Effort(_MOST_STEPS)
     for diagnosis, change in _changes(cases, right, asked):
-        if time.thread_time() > end:
-            return None
-        if all(_explains(change, cases[i], right[i], outcomes[i], same) for i in order):
+        for i in order:
+            if not effort.allows(costs[i]):
+                return None
+            if not _explains(change, cases[i], right[i], outcomes[i], same):
+                break
+        else:
             return diagnosis
     for name, words, repair in repairs():
-        if time.thread_time() > end:
-            return None
-        if all(
-            _is_mended(repair, cases[i], right[i], outcomes[i], counts_as_right or same)
-            for i in wrong
-        ):
+        for i in wrong:
+            if not effort.allows(costs[i]):
+                return None
+            if not _is_mended(repair, cases[i], right[i], outcomes[i], counts_as_right or same):
+                break
+        else:
             return Diagnosis(name, looks_as_if(words))
     return _linear(right, outcomes, order)
 
@@ -359,6 +365,23 @@ def _changes(
                 ),
                 _at(place, _on_array(relation.change)),
             )
+        for digits in (1, 2, 3):
+            yield (
+                told(
+                    f"rounded to {digits} decimals ({word} result)",
+                    N_("the {nth} result was rounded; round only what you print"),
+                    nth=_(word),
+                ),
+                _at(place, _on_array(_rounded_to(digits))),
+            )
+        yield (
+            told(
+                f"from the other axis ({word} result)",
+                N_("an angle is measured from the other axis (in the {nth} result)"),
+                nth=_(word),
+            ),
+            _at(place, _on_array(lambda x: np.pi / 2 - x)),
+        )
         yield (
             told(
                 f"mask for indices ({word} result)",
@@ -376,6 +399,9 @@ def _changes(
             _at(place, lambda case, value: case["args"][0][np.asarray(value, dtype=int)]),
         )
     yield told("mask for indices", N_("the result is a mask, not indices")), _mask
+    for small in (np.uint8, np.int8, np.uint16, np.int16, np.int32):
+        words = N_("numbers grew too large for their integer type and wrapped around")
+        yield told(f"overflow of {small.__name__}", words), _deep(_wrapped(small))
 
 
 def _itself(_: Values, value: Value) -> object:
@@ -483,6 +509,17 @@ def _inverse(value: Value) -> Value:
 
 def _rounded_to(digits: int) -> Callable[[Value], Value]:
     return lambda value: np.round(value, digits)
+
+
+def _wrapped(small: type[np.integer[Any]]) -> Callable[[Value], Value]:
+    """Whole numbers as an integer type leaves them."""
+
+    def changed(value: Value) -> Value:
+        if np.any(value != np.round(value)) or not np.isfinite(value).all():
+            raise _NotForThis
+        return np.asarray(value).astype(np.int64).astype(small)
+
+    return changed
 
 
 def _matrix_in_degrees(place: int) -> Callable[[Value], Value]:

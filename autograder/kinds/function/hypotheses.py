@@ -8,7 +8,9 @@ Right work in other clothes (``solutions/variants``) is changed in the same way,
 reference: students write a function otherwise than its author, and slip where their own lines are.
 
 What a mutant gives on a case is found out once for all responses. It is asked only as long as it
-agrees with a response, the cheapest of the cases that the response has wrong first.
+agrees with a response, the cheapest of the cases that the response has wrong first. What that may
+cost is counted in lines of the reference, as if nothing were known yet: the same response has the
+same name on every machine, in whatever order a class is marked.
 """
 
 from __future__ import annotations
@@ -18,8 +20,9 @@ import inspect
 import linecache
 import re
 import threading
-import time
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
+from functools import partial, wraps
 from pathlib import Path
 from types import FunctionType
 
@@ -30,16 +33,18 @@ from autograder.kinds.function.marking import Compare, Outcome, agrees
 from autograder.kinds.function.slips import VAGUE, in_words, slips
 from autograder.kinds.function.trial import mutants_of, outcome_of
 from autograder.language import _
+from autograder.marking.diagnosis.effort import Effort, lines_run, numbers_in
 from autograder.marking.diagnosis.relations import Diagnosis, looks_as_if
-from autograder.marking.mutants.clones import reachable
+from autograder.marking.mutants.clones import code_of, reachable, tree_of, with_changed
 from autograder.marking.mutants.mutant import Mutant, OutOfTime
 
-MOST_SECONDS = 0.1  # of a processor, for one response, beside what is found out for all
-_TO_FIND_OUT = 6.0  # for all responses to a question together
-_A_CASE = 0.25  # for a mutant and a case, at most
-_TIMES_AS_LONG = 20  # as the right function, which a mutant may take beside the next
-_AT_LEAST = 0.01
-_SLOW = 0.2  # for right work in other clothes on all cases: it is not changed if it takes longer
+# In lines that the reference runs, some 2 to 5 million a second of a processor.
+_MOST_LINES = 20_000_000  # for one response, as if it were the first
+_A_COMPARISON = 50
+_NEVER_ENDS = 1_000_000  # lines of right work for a case
+_SLOW = 300_000  # for right work in other clothes on all cases: it is not changed if it takes more
+_TIMES_AS_MANY = 20  # turns of loops as the reference has lines, that a mutant may take
+_TURNS_AT_LEAST = 1000
 _REMARK = re.compile(r"#\s*names:\s*(.+?)\s*$")
 _LOST: Outcome = {"unusable": "not plain"}
 
@@ -62,9 +67,9 @@ class Hypotheses:
         self._made: list[tuple[Mutant, Call]] | None = None
         self._origins: list[Call] = []  # what each of them was made of
         self._outcomes: dict[tuple[int, int], tuple[Outcome, bool]] = {}
-        self._seconds: dict[int, float] = {}
-        self._spent = 0.0
-        self._until = 0.0  # when the mutant that runs must end, by its thread's clock
+        self._lines: list[int] = []  # that the reference runs, by case
+        self._turns = 0  # of loops, that are left to the mutant that runs
+        self._names = {"_tick": self._tick}  # what a function calls in each turn of its loops
         self._lock = threading.Lock()
 
     def explain(
@@ -77,32 +82,51 @@ class Hypotheses:
     def _explain(
         self, right: Sequence[Outcome], outcomes: Sequence[Value], verdicts: Sequence[bool]
     ) -> Diagnosis | None:
-        begin, before = time.thread_time(), self._spent
         made = self._changes()
-        order = self._order(verdicts)
-        fitting: list[int] = []
-        for index in range(len(made)):
-            if time.thread_time() - begin - (self._spent - before) > MOST_SECONDS:
-                break
-            begins = index and self._origins[index] is not self._origins[index - 1]
-            if begins and any(made[found][0].operator not in VAGUE for found in fitting):
-                break  # the same work in yet other clothes would say nothing new
-            if all(self._fits(index, case, right, outcomes, verdicts) for case in order):
-                fitting.append(index)
+        fitting = list(self._fitting(right, outcomes, verdicts))
         if not fitting:
             return None
-        # What says least stands last; otherwise the order in which they were made.
+        # What says least stands last, what the author remarks first, else as they were made.
         fitting.sort(key=lambda index: made[index][0].operator in VAGUE)
-        remarked = [(made[index][0], self._remark(index)) for index in fitting]
-        chosen, remark = next(((m, r) for m, r in remarked if r), (remarked[0][0], ""))
+        chosen = next((index for index in fitting if self._remark(index)), fitting[0])
         evidence = "; or ".join(self._evidence(index) for index in fitting[:3])
-        if remark:
+        return replace(self._said(chosen), evidence=evidence)
+
+    def _said(self, index: int) -> Diagnosis:
+        """The name of a change, and what a student reads of it."""
+        if remark := self._remark(index):
             said = _("It looks as if yours is the right function {remark}.")
-            return Diagnosis(remark, said.format(remark=remark), evidence)
-        argument = re.match(r"begin with (\w+) = ", chosen.name)
-        words = in_words(chosen.operator, argument[1] if argument else "")
-        name = chosen.operator + (f" ({argument[1]})" if argument else "")
-        return Diagnosis(name, looks_as_if(words), evidence)
+            return Diagnosis(remark, said.format(remark=remark))
+        mutant = self._changes()[index][0]
+        argument = re.match(r"begin with (\w+) = ", mutant.name)
+        words = in_words(mutant.operator, argument[1] if argument else "")
+        name = mutant.operator + (f" ({argument[1]})" if argument else "")
+        return Diagnosis(name, looks_as_if(words))
+
+    def _fitting(
+        self, right: Sequence[Outcome], outcomes: Sequence[Value], verdicts: Sequence[bool]
+    ) -> Iterator[int]:
+        """The changes that do the same as a response on every case, as far as they are tried."""
+        made, lines = self._changes(), self._lines_by_case()
+        # Wrong ones first, and the cheap ones among them.
+        order = sorted(range(len(lines)), key=lambda case: (verdicts[case], lines[case]))
+        costs = [
+            _A_COMPARISON + of_case + numbers_in(outcome)
+            for of_case, outcome in zip(lines, outcomes, strict=True)
+        ]
+        effort = Effort(_MOST_LINES)
+        named = False
+        for index in range(len(made)):
+            if named and self._origins[index] is not self._origins[index - 1]:
+                return  # the same work in yet other clothes would say nothing new
+            for case in order:
+                if not effort.allows(costs[case]):
+                    return
+                if not self._fits(index, case, right, outcomes, verdicts):
+                    break
+            else:
+                named = named or made[index][0].operator not in VAGUE
+                yield index
 
     def _fits(
         self,
@@ -113,71 +137,61 @@ class Hypotheses:
         verdicts: Sequence[bool],
     ) -> bool:
         """Whether a changed reference and a response do the same on a case."""
-        found = self._outcome(index, case, right[case])
-        if found is None:
-            return False
-        outcome, is_right = found
+        outcome, is_right = self._outcome(index, case, right[case])
         if is_right != verdicts[case]:
             return False
         if is_right:
             return True
         return agrees(self._compare, self._cases[case], outcome, outcomes[case])
 
-    def _outcome(self, index: int, case: int, right: Outcome) -> tuple[Outcome, bool] | None:
+    def _outcome(self, index: int, case: int, right: Outcome) -> tuple[Outcome, bool]:
         if (index, case) not in self._outcomes:
-            if self._spent > _TO_FIND_OUT:
-                return None
-            begin = time.thread_time()
             outcome = self._run(self._changes()[index][1], case)
             is_right = agrees(self._compare, self._cases[case], right, outcome)
             self._outcomes[index, case] = outcome, is_right
-            self._spent += time.thread_time() - begin
         return self._outcomes[index, case]
 
     def _run(self, call: Call, case: int) -> Outcome:
-        usual = self._seconds.get(case, _A_CASE)
-        self._until = time.thread_time() + min(_A_CASE, _AT_LEAST + _TIMES_AS_LONG * usual)
+        self._turns = _TURNS_AT_LEAST + _TIMES_AS_MANY * self._lines_by_case()[case]
         try:
             return outcome_of(call, self._cases[case])
         except (OutOfTime, MemoryError):
             return _LOST
 
-    def _order(self, verdicts: Sequence[bool]) -> list[int]:
-        """The cases: wrong ones first, and the cheap ones among them."""
-        for case in range(len(self._cases)):
-            if case not in self._seconds:
-                begin = time.thread_time()
-                self._run(self._reference, case)
-                self._seconds[case] = time.thread_time() - begin
-                self._spent += self._seconds[case]
-        return sorted(self._seconds, key=lambda case: (verdicts[case], self._seconds[case]))
+    def _lines_by_case(self) -> list[int]:
+        if not self._lines:
+            self._lines = [
+                lines_run(partial(outcome_of, self._reference, case), _NEVER_ENDS) or _NEVER_ENDS
+                for case in self._cases
+            ]
+        return self._lines
 
     def _changes(self) -> list[tuple[Mutant, Call]]:
         if self._made is None:
-            begin = time.thread_time()
-            self._made = []
             quick = [function for function in self._other_clothes() if self._is_quick(function)]
-            for function in (self._reference, *quick):
-                made = list(self._all_changes(function))
-                self._made += made
-                self._origins += [function] * len(made)
-            self._spent += time.thread_time() - begin
+            made = [
+                (function, *change)
+                for function in (self._reference, *quick)
+                for change in self._all_changes(function)
+            ]
+            self._origins = [function for function, _, _ in made]
+            self._made = [(mutant, call) for _, mutant, call in made]
         return self._made
 
     def _is_quick(self, function: Call) -> bool:
         """Whether many changes of a function can be tried: some are written to be exact."""
-        begin = time.thread_time()
-        for case in self._order([True] * len(self._cases)):
-            self._run(function, case)
-            if time.thread_time() - begin > _SLOW:
-                return False
-        return True
+
+        def on_every_case() -> None:
+            for case in self._cases:
+                outcome_of(function, case)
+
+        return lines_run(on_every_case, _SLOW) is not None
 
     def _all_changes(self, function: Call) -> Iterator[tuple[Mutant, Call]]:
         if not isinstance(function, FunctionType):
             return
         if function is self._reference:
-            yield from _called_otherwise(function, self._cases)
+            yield from _called_otherwise(self._counting(function), self._cases)
         # What stands in another module is another question's work, or nobody's.
         others = {
             other
@@ -190,12 +204,21 @@ class Hypotheses:
             list(self._cases),
             self._root,
             more_edits=slips,
-            more_names={"_tick": self._tick},
+            more_names=self._names,
             prepare=_with_ticks,
         )
 
+    def _counting(self, function: FunctionType) -> Call:
+        """The function itself, which can be called with what makes it run for ever."""
+        every = reachable(function, self._root)
+        trees = {entry: _with_ticks(tree_of(entry)) for entry in every}
+        codes = {entry: code_of(tree, "<reference>") for entry, tree in trees.items()}
+        changed = trees[function]
+        return wraps(function)(with_changed(function, every, function, changed, self._names, codes))
+
     def _tick(self) -> None:
-        if time.thread_time() > self._until:
+        self._turns -= 1
+        if self._turns < 0:
             raise OutOfTime
 
     def _evidence(self, index: int) -> str:
@@ -215,7 +238,7 @@ class Hypotheses:
 
 
 def _with_ticks(tree: ast.FunctionDef) -> ast.FunctionDef:
-    """A function that looks at the clock in each turn of its loops: a mutant may never end."""
+    """A function that counts the turns of its loops: a mutant may never end."""
     for node in ast.walk(tree):
         if isinstance(node, ast.While | ast.For):
             node.body.insert(0, ast.parse("_tick()").body[0])

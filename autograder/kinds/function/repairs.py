@@ -93,6 +93,15 @@ def _only_the_first(_: Case, right: object, given: object) -> object:
     return [given, *right[1:]]
 
 
+def _without_more(_: Case, right: object, given: object) -> object:
+    """Several results, and beside them something else."""
+    if not (isinstance(right, list) and isinstance(given, list) and 2 <= len(right) < len(given)):
+        raise NotForThis
+    if len(given) > len(PLACES):
+        raise NotForThis  # a list of results, and not one of each
+    return given[: len(right)]
+
+
 def _reversed(_: Case, right: object, given: Value) -> object:
     return given[::-1]
 
@@ -210,6 +219,11 @@ _OF_WHOLES: tuple[tuple[str, str, Repair], ...] = (
     ("other order", N_("two results are returned in the other order"), _other_order),
     ("only the first", N_("only the first of the results is returned"), _only_the_first),
     ("reversed", N_("the results stand in reverse order"), _reversed),
+    (
+        "more results",
+        N_("something is returned beside the results that are asked for"),
+        _without_more,
+    ),
     (
         "wrong shape",
         N_("the numbers are right and their shape is not the one asked for"),

@@ -56,6 +56,9 @@ def slips(node: ast.AST) -> Iterator[tuple[str, Edit]]:
         case ast.BinOp(left=left, op=ast.Mult(), right=right):
             yield "factor left out", lambda _: left
             yield "factor left out", lambda _: right
+            for factor in (left, right):
+                if not isinstance(factor, ast.Constant):
+                    yield "a factor once more", _times(ast.BinOp(left, ast.Mult(), right), factor)
         case ast.BinOp(left=left, op=ast.Div(), right=right):
             yield "not divided", lambda _: left
             yield "fraction upside down", lambda _: ast.BinOp(right, ast.Div(), left)
@@ -68,6 +71,10 @@ def slips(node: ast.AST) -> Iterator[tuple[str, Edit]]:
         ):
             yield "not divided", lambda _: ast.BinOp(one, op, other)
             yield "term left out", lambda _: one
+        case ast.BinOp(left=ast.Constant(value=1) as one, op=ast.Sub(), right=right):
+            yield "a complement left out", lambda _: right
+            yield "term left out", lambda _: one
+            yield "term left out", lambda _: ast.UnaryOp(ast.USub(), right)
         case ast.BinOp(left=left, op=ast.Add() | ast.Sub() as op, right=right):
             yield "term left out", lambda _: left
             other = right if isinstance(op, ast.Add) else ast.UnaryOp(ast.USub(), right)
@@ -169,6 +176,10 @@ def _returning(value: ast.expr) -> Edit:
     return lambda _: ast.Return(value)
 
 
+def _times(product: ast.expr, factor: ast.expr) -> Edit:
+    return lambda _: ast.BinOp(product, ast.Mult(), factor)
+
+
 def _variables(node: ast.AST) -> set[str]:
     """The names in an expression, but those of what is called."""
     called = {id(call.func) for call in ast.walk(node) if isinstance(call, ast.Call)}
@@ -263,6 +274,7 @@ _WORDS = {
     "power left out": N_("a power is missing, such as a square"),
     "a product for a power": N_("a product stands for a power"),
     "factor left out": N_("a factor is missing"),
+    "a factor once more": N_("a factor is there twice"),
     "not divided": N_("a division is missing"),
     "fraction upside down": N_("a fraction is upside down"),
     "term left out": N_("a term is missing"),
@@ -286,6 +298,7 @@ _WORDS = {
     "one added inside a logarithm": N_("one was added inside of a logarithm"),
     "the opposite direction": N_("a direction is turned round before its angle is taken"),
     "a complement in a power": N_("the probability of the opposite stands in a power"),
+    "a complement left out": N_("a share stands for its complement, `x` for `1 - x`"),
     "a share for its logarithm": N_("a share stands where its logarithm is asked for"),
     "one more in a result": N_("the result is one too large"),
     "one less in a result": N_("the result is one too small"),
@@ -298,6 +311,11 @@ _WORDS = {
 
 # What a reference was called with, by the end of the change's name.
 _OF_AN_ARGUMENT = {
+    "ignored": N_("the argument `{name}` changes nothing: one value stands in its place"),
+    "one more": N_("one is added to the argument `{name}`"),
+    "one less": N_("one is taken from the argument `{name}`"),
+    "doubled": N_("the argument `{name}` is doubled"),
+    "halved": N_("the argument `{name}` is halved"),
     "squared": N_("the argument `{name}` is squared"),
     "rooted": N_("the argument `{name}` is rooted"),
     "its columns in reverse order": N_(
@@ -311,10 +329,10 @@ _OF_AN_ARGUMENT = {
 
 def in_words(operator: str, argument: str = "") -> str:
     """A kind of change as a student may read it: nothing of the reference's text is in it."""
-    if argument:
-        return _(_OF_AN_ARGUMENT[operator.removeprefix("argument ")]).format(name=argument)
     if operator in _WORDS:
         return _(_WORDS[operator])
+    if argument:
+        return _(_OF_AN_ARGUMENT[operator.removeprefix("argument ")]).format(name=argument)
     if exchanged := re.fullmatch(r"(\w+) and (\w+) exchanged", operator):
         said = _("the function works with {one} and {other} exchanged")
         return said.format(one=exchanged[1], other=exchanged[2])

@@ -5,7 +5,9 @@ from __future__ import annotations
 import ast
 import math
 import time
+import warnings
 from collections.abc import Callable, Collection, Iterator, Sequence
+from contextlib import suppress
 from pathlib import Path
 from types import FunctionType
 
@@ -16,7 +18,7 @@ from autograder.exchange.messages import Value, Values
 from autograder.kinds.function.answer import FunctionAnswer
 from autograder.kinds.function.inside.evaluate import evaluate
 from autograder.kinds.function.marking import Outcome, agrees, close
-from autograder.marking.mutants.clones import reachable, tree_of, with_changed
+from autograder.marking.mutants.clones import code_of, reachable, tree_of, with_changed
 from autograder.marking.mutants.edits import MoreEdits, begin_with, described, edited
 from autograder.marking.mutants.limit import time_limit
 from autograder.marking.mutants.mutant import Mutant, Trial
@@ -100,7 +102,8 @@ class FunctionTrial(Trial):
 
 def outcome_of(call: Call, case: dict[str, object]) -> Outcome:
     """What a function of the course makes of one case."""
-    with np.errstate(all="ignore"):
+    # A mutant may divide by nothing or average nothing: no instructor has to read of it.
+    with np.errstate(all="ignore"), warnings.catch_warnings(action="ignore"):
         try:
             outcome: Outcome = evaluate(call, {"cases": [case]})["outcomes"][0]
             return outcome
@@ -115,16 +118,21 @@ def mutants_of(
     root: Path,
     more_edits: MoreEdits | None = None,
     more_names: Values | None = None,
-    prepare: Callable[[ast.FunctionDef], ast.FunctionDef] = lambda tree: tree,
+    prepare: Callable[[ast.FunctionDef], ast.FunctionDef] | None = None,
 ) -> Iterator[tuple[Mutant, Call]]:
     """The mutants of a reference and of what it calls but ``others``, ready to be called.
 
-    ``more_edits`` are changes beyond those that a key is proven with; ``prepare`` makes each tree
-    ready, and ``more_names`` are what it then uses.
+    ``more_edits`` are changes beyond those that a key is proven with; ``prepare`` makes the tree of
+    each function ready, and ``more_names`` are what it then uses.
     """
     if not isinstance(reference, FunctionType):
         return
     every = reachable(reference, root)
+    codes = {
+        function: code_of(prepare(tree_of(function)), function.__code__.co_filename)
+        for function in every
+        if prepare
+    }
     for function in every:
         if function in others:
             continue
@@ -140,7 +148,9 @@ def mutants_of(
                 "_scaled": _scaled,
                 **(more_names or {}),
             }
-            yield mutant, with_changed(reference, every, function, prepare(changed), more)
+            ready = prepare(changed) if prepare else changed
+            with suppress(SyntaxError):  # a change that is no Python is nobody's
+                yield mutant, with_changed(reference, every, function, ready, more, codes)
     arguments = dict(zip(_names(tree_of(reference)), cases[0]["args"], strict=False))
     for name, value in {**arguments, **cases[0].get("kwargs", {})}.items():
         if isinstance(value, np.ndarray | list):

@@ -31,7 +31,8 @@ def diagnose_number(
     right = [entry.value for entry in answer.alternatives if not entry.is_mistake]
     coarse = not question.integer and _half_a_digit(value) > _FEW * abs(value)
     for diagnosis, wrong in _simple(question, right):
-        if coarse and diagnosis.name not in _PLAINEST:
+        exactly = math.isclose(value, wrong, rel_tol=1e-9)
+        if coarse and diagnosis.name not in _PLAINEST and not exactly:
             continue
         if _is_near(question, wrong, value) and not _is_right(question, right, wrong):
             return diagnosis

@@ -51,15 +51,17 @@ def with_changed(
     changed: FunctionType,
     tree: ast.FunctionDef,
     more: Mapping[str, object] | None = None,
+    codes: Mapping[FunctionType, CodeType] | None = None,
 ) -> Callable[..., object]:
     """``function`` as it is when ``changed``, one of those it reaches, has another tree.
 
-    ``more`` are names that the tree uses beyond those of its module.
+    ``more`` are names that a tree uses beyond those of its module, and ``codes`` stand for the
+    functions' own, the changed one's apart.
     """
-    modules = {entry.__module__: dict(entry.__globals__) for entry in reached}
+    modules = {entry.__module__: {**entry.__globals__, **(more or {})} for entry in reached}
     clones = {
         entry: FunctionType(
-            entry.__code__,
+            (codes or {}).get(entry, entry.__code__),
             modules[entry.__module__],
             entry.__name__,
             entry.__defaults__,
@@ -69,11 +71,8 @@ def with_changed(
     for entry, clone in clones.items():
         clone.__kwdefaults__ = entry.__kwdefaults__
     names = modules[changed.__module__]
-    names |= more or {}
-    module = ast.Module(body=[tree], type_ignores=[])
-    code: CodeType = compile(module, "<mutant>", "exec", dont_inherit=True, flags=_annotations())
     made: dict[str, Value] = {}
-    exec(code, names, made)
+    exec(_compiled(tree, "<mutant>"), names, made)
     clones[changed] = made[changed.__name__]
     for own in modules.values():
         for name, value in own.items():
@@ -81,6 +80,18 @@ def with_changed(
                 own[name] = clones[value]
     names[changed.__name__] = clones[changed]
     return clones[function]
+
+
+def code_of(tree: ast.FunctionDef, filename: str) -> CodeType:
+    """What a function runs when its definition is this."""
+    inner = _compiled(tree, filename).co_consts
+    return next(code for code in inner if isinstance(code, CodeType) and code.co_name == tree.name)
+
+
+def _compiled(tree: ast.FunctionDef, filename: str) -> CodeType:
+    module = ast.Module(body=[tree], type_ignores=[])
+    code: CodeType = compile(module, filename, "exec", dont_inherit=True, flags=_annotations())
+    return code
 
 
 def course_sources(dotted_names: list[str], root: Path) -> list[Path]:

@@ -127,24 +127,25 @@ def _edits(node: ast.AST) -> Iterator[tuple[str, Edit]]:
             yield "raise left out", lambda _: ast.Pass()
         case ast.Expr() | ast.AugAssign() | ast.Continue() | ast.Break() | ast.Assign():
             yield "statement left out", lambda _: ast.Pass()
-        case ast.For():
+        case ast.For(iter=iterated):
             yield "early break", _break_at_end
-            yield "loop one short", _shortened("[:-1]")
-            yield "first turn left out", _shortened("[1:]")
+            if not _is_endless(iterated):
+                yield "loop one short", _shortened("[:-1]")
+                yield "first turn left out", _shortened("[1:]")
         case ast.While():
             yield "early break", _break_at_end
-        case ast.comprehension():
+        case ast.comprehension(iter=iterated) if not _is_endless(iterated):
             yield "loop one short", _shortened("[:-1]")
             yield "first turn left out", _shortened("[1:]")
         case ast.Return(value=ast.Tuple(elts=elements)):
-            for place in range(len(elements)):
+            for place in _not_starred(elements):
                 yield "returned element changed", _changed_element("elts", place)
             for place in range(len(elements) - 1):
                 yield "returned elements exchanged", _exchanged_elements(place)
         case ast.Return(value=ast.Call(func=ast.Name(id=name), args=[_, *_] as args)) if name[
             :1
         ].isupper():
-            for place in range(len(args)):
+            for place in _not_starred(args):
                 yield "returned element changed", _changed_element("args", place)
         case ast.Return(value=ast.expr() as value) if not isinstance(value, ast.Constant):
             yield "result changed", _changed_result
@@ -211,6 +212,23 @@ def _shortened(part: str) -> Edit:
         node.iter = short
 
     return edit
+
+
+def _not_starred(entries: list[ast.expr]) -> list[int]:
+    """The places of those that are one value, and not ``*several``."""
+    return [i for i, entry in enumerate(entries) if not isinstance(entry, ast.Starred)]
+
+
+def _is_endless(iterated: ast.expr) -> bool:
+    """Whether a loop may be over what never ends, so that no list can be made of it."""
+    for node in ast.walk(iterated):
+        match node:
+            case (
+                ast.Call(func=ast.Name(id=name))
+                | ast.Call(func=ast.Attribute(value=ast.Name(id="itertools"), attr=name))
+            ) if name in ("count", "cycle", "repeat", "iter"):
+                return True
+    return False
 
 
 def _changed_element(field: str, place: int) -> Edit:
