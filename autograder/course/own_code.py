@@ -32,7 +32,9 @@ def _is_of_another_course(name: str, root: Path) -> bool:
         return False
     file = getattr(loaded, "__file__", None)
     places = [file] if file else [*getattr(loaded, "__path__", [])]  # none: without __init__.py
-    return not any(Path(place).resolve().is_relative_to(root) for place in places)
+    # Its own, not merely below it: a course may stand in the folder of another.
+    own = ((root / name).resolve(), (root / f"{name}.py").resolve())
+    return not any(Path(place).resolve().is_relative_to(mine) for place in places for mine in own)
 
 
 def _forget(name: str) -> None:

@@ -4,7 +4,7 @@ from autograder.language import N_
 
 REASONS = {
     "text": N_("it is a string; write it without quotes"),
-    "equation": N_("it is an equation; give only its right-hand side"),
+    "equation": N_("it is an equation; give only the side that is asked for"),
     "callable": N_("it is a function; give the value or expression itself"),
     "not a number": N_("it is not a number"),
     "not finite": N_("it is not a finite number"),

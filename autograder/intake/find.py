@@ -27,6 +27,7 @@ from autograder.intake.place import (
     Group,
     Place,
     as_folder_if_readable,
+    is_notebook_name,
     is_zip,
 )
 from autograder.intake.shelf import Shelf
@@ -34,6 +35,9 @@ from autograder.intake.submissions import Submission, student_name
 
 LAYOUT_NAMES = (*(layout.name for layout in LAYOUTS), plain.CLASS, plain.ONE)
 _DEEPEST = 4  # folders above the one that holds the class
+_FEW_DOWNLOADS = 6  # side by side; more zips are students'
+_SURELY_A_CLASS = 3  # submissions; fewer may be one student's drafts
+_NAMED = 4
 
 
 @dataclass
@@ -197,24 +201,92 @@ def _look_below(
         inner = is_archive or not isinstance(wrapped, DiskPlace)
         found = _look_or_none(wrapped, context, layout, inner, depth + 1)
         return _beside(folder, found, wrapped)
-    folders = [place for place in visible(folder) if place.is_folder and not is_reports(place)]
-    work = [place for place in visible(folder) if place.is_folder or is_zip(place)]
-    if len(folders) < 2 or len(work) > len(folders):
+    work = [
+        place
+        for place in visible(folder)
+        if (place.is_folder and not is_reports(place)) or is_zip(place)
+    ]
+    if len(work) < 2:
+        if layout is None and any(is_notebook_name(place.name) for place in visible(folder)):
+            inside = [as_folder_if_readable(place) or place for place in work]
+            _ask_which_download(folder, inside, context)
         return None
-    several = []
-    for place in folders:
-        marked = any(known.recognises(place) for known in LAYOUTS)
-        many = len(plain._signs(place, context).of_class) >= 2
-        if not (marked or (many and plain.judge(place, context) is Verdict.CLASS)):
-            return None
-        if plain._is_person(place, context):
-            return None
-        several.append(_look_or_none(place, context, layout, is_archive, depth + 1))
-    if not all(several):
+    folders = [place for place in work if place.is_folder]
+    if len(folders) < len(work):
+        if layout is None and len(work) <= _FEW_DOWNLOADS:
+            return _look_into_zips(folder, work, context, is_archive, depth)
         return None
+    if not all(_has_marks(place) or _is_class(place, context) for place in folders):
+        if layout is None and len(work) <= _FEW_DOWNLOADS:
+            _ask_which_download(folder, folders, context)
+        return None
+    return _look_at_several(folders, context, layout, is_archive, depth)
+
+
+def _look_into_zips(
+    folder: Place, work: Sequence[Place], context: Context, is_archive: bool, depth: int
+) -> Found | None:
+    """Several downloads, each a zip as it came; a person is asked if one of them lies unpacked."""
+    inside = [as_folder_if_readable(place) or place for place in work]
+    if all(map(is_zip, work)) and all(map(_has_marks, inside)) and any(map(_is_download, inside)):
+        return _look_at_several(inside, context, None, is_archive, depth)
+    _ask_which_download(folder, inside, context)
+    return None
+
+
+def _ask_which_download(folder: Place, work: Sequence[Place], context: Context) -> None:
+    """Stop where a download lies beside something else that is nobody's of the list."""
+    downloads = [place for place in work if _is_download(place)]
+    books = [place for place in visible(folder) if is_notebook_name(place.name)]
+    downloads = downloads or [place for place in work if _is_whole_class(place, work, context)]
+    if downloads and not any(plain._is_person(place, context) for place in work):
+        others = [place for place in (*work, *books) if place is not downloads[0]]
+        beside = ", ".join(shown(place.name) for place in others[:_NAMED])
+        raise UsageError(
+            f"{shown(downloads[0].text())} looks like a download of a whole class, and beside it "
+            f"lies {beside}. Give the download alone, or say --layout class if each of them is one "
+            "student's, or --layout one if all of it is."
+        )
+
+
+def _has_marks(place: Place) -> bool:
+    """Whether a folder, or the only one in it, has the marks of a system."""
+    folder = plain.is_wrapped(place) or place if place.is_folder else place
+    return folder.is_folder and any(known.recognises(folder) for known in LAYOUTS)
+
+
+def _is_download(place: Place) -> bool:
+    """Whether it has a system's marks, and holds more than one student's folder in a class has."""
+    folder = plain.is_wrapped(place) or place if place.is_folder else place
+    handed_in = [p for p in visible(folder) if p.is_folder or is_zip(p) or is_notebook_name(p.name)]
+    return len(handed_in) >= 2 and _has_marks(place)
+
+
+def _is_whole_class(place: Place, beside: Sequence[Place], context: Context) -> bool:
+    """Whether a folder can hardly be one student's, by what lies in it and what it is called."""
+    if not place.is_folder or not _is_class(place, context, _SURELY_A_CLASS):
+        return False
+    known = [p for p in visible(place) if plain._is_person(p, context)]
+    called = plain._is_generic(plain.stem_of(place), context)
+    return len(beside) == 1 or called or len(known) >= _SURELY_A_CLASS
+
+
+def _is_class(place: Place, context: Context, fewest: int = 2) -> bool:
+    many = len(plain._signs(place, context).of_class) >= fewest
+    return many and plain.judge(place, context) is Verdict.CLASS
+
+
+def _look_at_several(
+    places: Sequence[Place], context: Context, layout: str | None, is_archive: bool, depth: int
+) -> Found | None:
+    """Downloads that lie side by side, as one for each section of a class, read as one."""
+    if any(plain._is_person(place, context) for place in places):
+        return None
+    several = [_look_or_none(place, context, layout, is_archive, depth + 1) for place in places]
     joined = Found()
     for found in several:
-        assert found is not None
+        if not found:
+            return None
         joined.layout, joined.rule = found.layout, found.rule
         joined.entries += found.entries
         joined.passed_over += found.passed_over

@@ -11,7 +11,7 @@ import re
 import unicodedata
 from collections import defaultdict
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from autograder.exchange.printable import printable
 from autograder.intake.names import claim_of
@@ -51,7 +51,8 @@ class _Found:
     likely: tuple[Person, ...] = ()  # whom it may fit, though that is not known
 
 
-_BY_NAME, _BY_IDENTIFIER, _SETTLED = 0, 1, 2
+_BY_COPY, _BY_NAME, _BY_IDENTIFIER, _SETTLED = -1, 0, 1, 2
+_DOWNLOADED_AGAIN = re.compile(r"\s*\(\d{1,9}\)\Z")
 
 
 def match_all(
@@ -72,7 +73,8 @@ def match_all(
         if called:
             found[key] = index.settle(said[called[0].casefold()])
         else:
-            found[key] = [index.find(c) for c in origin.claims or (claim_of(key),)]
+            found[key] = [index.find_file(claim) for claim in origin.claims]
+            found[key] = found[key] or [index.find(claim_of(key))]
     claimed: dict[Person, dict[str, int]] = defaultdict(dict)
     for key, entries in found.items():
         for entry in entries:
@@ -117,10 +119,10 @@ class _Index:
 
     def __init__(self, people: Sequence[Person]) -> None:
         self._strong: dict[tuple[str, str], list[Person]] = defaultdict(list)
-        # From the name as it is written to the name without order and accents: the first that
-        # anybody has decides.
+        # From the name as it is written to its bare letters, without order, accents and spaces: the
+        # first that anybody has decides.
         self._names: tuple[dict[str, list[Person]], ...] = tuple(
-            defaultdict(list) for _ in range(3)
+            defaultdict(list) for _ in range(4)
         )
         for person in dict.fromkeys(people):
             for field, kind in _KINDS:
@@ -135,6 +137,7 @@ class _Index:
                 {plain_name(person.name), plain_name(_first_name_first(person.name))},
                 spellings,
                 {_without_accents(name) for name in spellings},
+                {_bare(name) for name in spellings},
             )
             for names, level in zip(self._names, levels, strict=True):
                 for name in level - {""}:
@@ -154,6 +157,18 @@ class _Index:
         reason = "" if len(fits) == 1 else f"{value!r} in students.toml {_fits(fits)}"
         return _Found(fits, _SETTLED, reason)
 
+    def find_file(self, claim: Claim) -> _Found:
+        """The people that a claim fits, also where a browser numbered a file: ``ada (1).ipynb``.
+
+        Such a file is the only one of its name, or it has a rival and is nobody's.
+        """
+        found = self.find(claim)
+        called = _DOWNLOADED_AGAIN.sub("", claim.called)
+        if found.people or found.likely or called in ("", claim.called):
+            return found
+        again = self.find(replace(claim, called=called))
+        return replace(again, strength=_BY_COPY) if len(again.people) == 1 else found
+
     def find(self, claim: Claim) -> _Found:
         """The people that a claim fits."""
         if claim.number:
@@ -166,8 +181,8 @@ class _Index:
                 return _Found(
                     (),
                     _BY_IDENTIFIER,
-                    f"participant {claim.number} is {fits[0].name} in the class list; is that the "
-                    "worksheet of this assignment?",
+                    f"participant {claim.number} is {fits[0].name} in the class list; check that "
+                    "the worksheet is that of this assignment",
                 )
         strong = [
             fits
@@ -226,7 +241,8 @@ class _Index:
 
     def _named(self, name: str) -> tuple[Person, ...]:
         plain = plain_name(name)
-        for names, way in zip(self._names, (plain, plain, _without_accents(plain)), strict=True):
+        ways = (plain, plain, _without_accents(plain), _bare(plain))
+        for names, way in zip(self._names, ways, strict=True):
             if way in names:
                 return tuple(names[way])
         return ()
@@ -249,11 +265,10 @@ def _agrees(person: Person, claim: Claim) -> bool:
     """Whether the names do not speak against a participant number."""
     if not claim.name or not person.name or is_anonymous(claim.name):
         return True
-    name = _without_accents(plain_name(claim.name))
-    return any(
-        name == spelling or name.endswith(f" {spelling}")  # "Group A-Ada Lovelace"
-        for spelling in map(_without_accents, _spellings(person.name))
-    )
+    spellings = {_bare(way) for way in _spellings(person.name)}
+    words = plain_name(claim.name).split()
+    # "Group A-Ada Lovelace": a group's name may come first.
+    return any(_bare(" ".join(words[n:])) in spellings for n in range(len(words)))
 
 
 def _contradicts(person: Person, claim: Claim) -> bool:
@@ -325,6 +340,11 @@ def _first_name_first(name: str) -> str:
 def _without_accents(name: str) -> str:
     text = unicodedata.normalize("NFKD", name)
     return "".join(c for c in text if not unicodedata.combining(c))
+
+
+def _bare(name: str) -> str:
+    """The letters alone: Moodle leaves the apostrophe out of ``Seán O'Brien``, with no space."""
+    return _without_accents(name).replace(" ", "")
 
 
 def _fits(people: Iterable[Person]) -> str:

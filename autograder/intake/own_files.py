@@ -35,7 +35,7 @@ def is_reports(place: Place, deep: int = 0) -> bool:
         return all(is_reports(child, deep + 1) for child in below)
     return any(child.name == _GRADEBOOK for child in below) and not any(
         is_notebook_name(child.name)
-        or child.name in ("notebooks", "responses")
+        or child.name in ("notebooks", "responses", "submitted")  # the last is nbgrader's
         or (is_zip(child) and not _is_written(child))
         for child in below
     )

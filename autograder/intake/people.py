@@ -57,6 +57,7 @@ _STAFF = (
     "non-editing teacher",
     "observer",
 )
+_SUFFIXES = ("jr", "sr", "ii", "iii", "iv", "phd", "ph d", "md", "m d", "esq")
 _PARTICIPANT = re.compile(r"\D*?(\d+)\s*\Z")
 
 
@@ -121,12 +122,8 @@ def _person(cells: dict[str, str], zone: tzinfo | None) -> Person | None:
         name = f"Participant {number}" if number else ""
     if not name:
         return None
-    # Canvas repeats the sortable name, "Lovelace, Ada"; people are called Ada Lovelace.
-    last, comma, first = (part.strip() for part in name.partition(","))
-    if comma and first and last:
-        name = f"{first} {last}"
     return Person(
-        name,
+        _as_called(name),
         id=cells["id"],
         sis_id=cells["sis_id"],
         login=cells["login"],
@@ -136,6 +133,18 @@ def _person(cells: dict[str, str], zone: tzinfo | None) -> Person | None:
         number=number,
         noted_time=read_time(cells["time"], zone),
     )
+
+
+def _as_called(name: str) -> str:
+    """Ada Lovelace for the sortable ``Lovelace, Ada`` that Canvas repeats.
+
+    In ``John Smith, Jr.`` and ``Smith, Jr., John`` a comma belongs to the family name.
+    """
+    parts = [part.strip() for part in name.split(",")]
+    while len(parts) > 1 and plain_name(parts[1]) in _SUFFIXES:
+        parts[:2] = [f"{parts[0]}, {parts[1]}"]
+    last, first = parts[0], ", ".join(parts[1:])
+    return f"{first} {last}" if first and last else name
 
 
 def join_people(lists: Sequence[Sequence[Person]]) -> tuple[Person, ...]:

@@ -26,7 +26,6 @@ def adaptive_stop_cases(rng: np.random.Generator) -> list[Case]:
         {"name": "the first sample is enough", "args": [np.array([190, 3, 3]), 200, 0.5]},
         {"name": "exactly as many as there are", "args": [np.full(11, 50), 100, 0.95]},  # 10.41
         {"name": "ten points", "args": [np.full(30, 5), 10, 0.95]},
-        {"name": "nothing is drawn", "args": [np.array([], dtype=int), 100, 0.95]},
     ]
     return [public, *cases]
 
@@ -43,6 +42,8 @@ def msac_cost_cases(rng: np.random.Generator) -> list[Case]:
     cases += [
         {"name": "all within", "args": [rng.uniform(-0.9, 0.9, 20), 1.0]},
         {"name": "all outside, on one side", "args": [-rng.uniform(1.1, 9, 20), 1.0]},
+        # Points of a grid: many are equally far away.
+        {"name": "equal distances", "args": [rng.integers(-6, 7, 40) / 8, 0.5]},
         {"name": "no points", "args": [np.array([]), 0.1]},
     ]
     return cases

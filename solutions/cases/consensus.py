@@ -32,16 +32,17 @@ FAR = 21.0  # thresholds between the wall and the other outliers, at least
 
 
 def across_the_wall(
-    rng: np.random.Generator, threshold: float, count: int, noise: Noise = STRICT
+    rng: np.random.Generator, threshold: float, count: int, noise: Noise = STRICT, sides: int = 2
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return offsets from the wall of the `count` points along it, and of those in its middle.
 
-    Of the latter the first 2 * INSIDE are inliers.
+    Of the latter the first 2 * INSIDE are inliers. The others lie on one side of the wall or on
+    two: on two they would hardly move a line that is fitted to them as well.
     """
     signs = rng.choice([-1.0, 1.0], count)
     bulk = signs * noise.bulk * rng.uniform(0.7, 1.0, count)
     middle = [side * rng.uniform(*noise.inside) for _ in range(INSIDE) for side in (-1, 1)]
-    middle += [side * rng.uniform(*ends) for ends in noise.beyond for side in (-1, 1)]
+    middle += [side * rng.uniform(*ends) for ends in noise.beyond for side in (-1, 1)[:sides]]
     return bulk * threshold, np.array(middle) * threshold
 
 
@@ -57,3 +58,12 @@ def axes_of(alpha: float) -> np.ndarray:
     """Return the normal of a line and the direction along it as the rows of a (2, 2) array."""
     normal = [math.cos(alpha), math.sin(alpha)]
     return np.array([normal, [-normal[1], normal[0]]])
+
+
+def evenly_mixed(inliers: np.ndarray, others: np.ndarray) -> np.ndarray:
+    """Return the rows of both, so that among any few neighbours there is one of each.
+
+    Whoever samples neighbours, in place of any points, then finds nothing.
+    """
+    places = [np.linspace(0, 1, len(part)) for part in (others, inliers)]
+    return np.vstack([others, inliers])[np.argsort(np.concatenate(places), kind="stable")]

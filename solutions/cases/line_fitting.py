@@ -5,6 +5,7 @@ import math
 import numpy as np
 
 from solutions.cases.case import Case, Value
+from solutions.lines.line_fitting import fit_line, line_covariance, positions_along
 
 
 def fit_line_cases(rng: np.random.Generator) -> list[Case]:
@@ -113,32 +114,53 @@ def line_covariance_cases(rng: np.random.Generator) -> list[Case]:
     cases: list[Case] = [
         {"name": "three points of x = 2", "args": [corner, 0.1], "public": True},
     ]
-    for name, along, sigma, length, count in (
-        ("a wall to the left of its normal", 4.0, 0.02, 6.0, 40),
-        ("a wall to the right of its normal", -4.0, 0.02, 6.0, 40),
-        ("a wall to the left of its normal", 2.0, 0.05, 6.0, 40),
-        ("a few points", 1.0, 0.001, 1.0, 4),
-        ("a few points", -60.0, 0.3, 80.0, 5),
-        ("centred on the foot of the normal", 0.0, 0.02, 6.0, 7),
+    for name, along, sigma, length, count, noise in (
+        ("a wall to the left of its normal", 4.0, 0.02, 6.0, 40, 1e-4),
+        ("a wall to the right of its normal", -4.0, 0.02, 6.0, 40, 1e-4),
+        ("a wall to the left of its normal", 2.0, 0.05, 6.0, 40, 1e-4),
+        ("a few points", 1.0, 0.001, 1.0, 4, 1e-4),
+        ("a few points", -60.0, 0.3, 80.0, 5, 1e-4),
+        ("a few points", 60.0, 0.3, 80.0, 5, 1e-4),
+        ("centred on the foot of the normal", 0.0, 0.02, 6.0, 7, 1e-4),
+        # So wide that the spread across the wall cannot pass for a part of that along it.
+        ("a rough wall", 2.0, 0.05, 6.0, 40, 0.06),
     ):
         alpha = rng.uniform(-3.0, 3.0)
-        # As noisy as the least of them: the formula is right to first order only.
-        wall = _wall(rng, length * rng.uniform(0.4, 0.8), alpha, length, 1e-4 * length, count)
-        wall += along * np.array([-math.sin(alpha), math.cos(alpha)])
+        wall = _wall(rng, length * rng.uniform(0.4, 0.8), alpha, length, noise * length, count)
+        # More points at one end than at the other: their mean is not their median.
+        direction = np.array([-math.sin(alpha), math.cos(alpha)])
+        wall += np.outer(along + 0.2 * length * np.linspace(-1, 1, count) ** 2, direction)
         cases.append({"name": name, "args": [wall, sigma * rng.uniform(0.7, 1.3)]})
     return cases
 
 
 def same_covariance(case: Case, expected: Value, actual: object) -> bool:
-    """Tell whether two (2, 2) covariances agree to a thousandth of the deviations."""
+    """Tell whether two (2, 2) covariances agree to a thousandth of the deviations.
+
+    The reference counts the scatter across the wall, which the question's formula leaves out. On a
+    rough wall they differ by some per cent, and either is right.
+    """
     try:
         values = np.asarray(actual, dtype=float)
     except (TypeError, ValueError, OverflowError):
         return False
     if values.shape != (2, 2) or not np.isfinite(values).all():
         return False
-    deviations = np.sqrt(np.abs(np.diag(expected)))
-    return bool((np.abs(values - expected) <= 1e-3 * np.outer(deviations, deviations)).all())
+    right = [expected]
+    if case["args"] and np.allclose(expected, line_covariance(*case["args"]), rtol=1e-9, atol=0):
+        right.append(_to_first_order(*case["args"]))
+    return any(
+        (np.abs(values - one) <= 1e-3 * np.sqrt(np.abs(np.outer(np.diag(one), np.diag(one))))).all()
+        for one in right
+    )
+
+
+def _to_first_order(points: np.ndarray, sigma: float) -> np.ndarray:
+    """Return the covariance by the formula that the question gives."""
+    positions = positions_along(points, fit_line(points))
+    N, t = len(points), positions.mean()
+    B = np.sum((positions - t) ** 2)
+    return sigma**2 * np.array([[1 / N + t**2 / B, t / B], [t / B, 1 / B]])
 
 
 def _wall(

@@ -9,8 +9,15 @@ import math
 import numpy as np
 
 from solutions.cases.case import Case, Value
-from solutions.cases.consensus import INSIDE, LENIENT, across_the_wall, axes_of, far_away
-from solutions.cases.ransac import overlap, seed_of
+from solutions.cases.consensus import (
+    INSIDE,
+    LENIENT,
+    across_the_wall,
+    axes_of,
+    evenly_mixed,
+    far_away,
+)
+from solutions.cases.ransac import exact_wall, overlap, seed_of
 
 
 def ransac_plane_cases(rng: np.random.Generator) -> list[Case]:
@@ -21,16 +28,33 @@ def ransac_plane_cases(rng: np.random.Generator) -> list[Case]:
     public = _plane(np.random.default_rng(4), "a floor and a few outliers", floor, 0.05, 4.0)
     cases = [
         _plane(rng, "a floor", floor, small, 1.0),
-        _plane(rng, "a large wall, many outliers", wall, large, 20.0, far=25, iterations=220),
+        _plane(
+            rng,
+            "a large wall, many outliers",
+            wall,
+            large,
+            20.0,
+            far=25,
+            iterations=220,
+            mixed=True,
+        ),
         _plane(rng, "a slope", slope, large, 20.0),
         _plane(rng, "a slope that faces back", back, small, 1.0),
         _plane(rng, "outliers on one side only", slope, small, 1.0, sides=1),
         _plane(rng, "many points in one spot", back, small, 1.0, far=0, spot=20, iterations=180),
     ]
-    # Whole numbers: the cross product of two differences is exactly zero.
-    on_a_line = np.outer(rng.permutation(12), rng.integers(1, 4, 3)).astype(float)
+    # Multiples of three: the mean of three points is exact, and so is a cross product of zero.
+    on_a_line = np.outer(3.0 * rng.permutation(12), rng.integers(1, 4, 3))
     cloud, threshold = cases[0]["args"][:2]
+    # Whole numbers again: any three of these points are on one plane with the origin, exactly.
+    one, other = rng.permutation([[2.0, 1.0, 3.0], [-1.0, 4.0, 2.0], [3.0, -2.0, 5.0]])[:2]
+    through_origin = np.array([[1, 0], [0, 1], [2, 1], [1, 3], [-1, 2]]) @ [one, other]
     cases += [
+        # Nearer to each other than the threshold, and a plane all the same.
+        {"name": "three points", "args": [_exact_plane(rng, 0.1)[:3], 0.3, 3, seed_of(rng)]},
+        {"name": "a plane through the origin", "args": [through_origin, 0.05, 4, seed_of(rng)]},
+        # Three centimetres wide: small triangles are triangles, too.
+        {"name": "a small plane", "args": [_exact_plane(rng, 0.015), 4e-4, 4, seed_of(rng)]},
         {
             "name": "no outliers, one iteration",
             "args": [_exact_plane(rng), threshold, 1, seed_of(rng)],
@@ -89,13 +113,14 @@ def find_walls_cases(rng: np.random.Generator) -> list[Case]:
     cases = [
         _room(rng, "a corridor with its end", (60, 46, 34), 25, small, 1.0, iterations=160),
         _room(rng, "a large room", (60, 48, 22), 30, large, 20.0, iterations=160),
+        _room(rng, "all four walls of a room", (72, 52, 38, 26), 20, small, 1.0, iterations=200),
         _room(rng, "a wall with just enough points", (50, few), few, small, 1.0),
         _room(rng, "a wall with one point too few", (60, few + 12, few - 1), few, large, 20.0),
         _room(rng, "walls whose lines cross at a point", (56, 36), 12, small, 1.0, corner=3),
         _room(rng, "people between two walls", (60, 40), 22, small, 1.0, clutter=16),
         _room(rng, "nothing but people", (), 12, small, 1.0, clutter=14),
     ]
-    wall = _exact_wall(rng)
+    wall = exact_wall(rng)
     threshold = cases[0]["args"][1]
     along = (wall[1] - wall[0]) / np.linalg.norm(wall[1] - wall[0])
     across = np.array([-along[1], along[0]])
@@ -107,6 +132,11 @@ def find_walls_cases(rng: np.random.Generator) -> list[Case]:
             "name": "one wall and nothing else",
             "args": [wall, threshold, 1, len(wall), seed_of(rng)],
             "draws": (1, 4 * len(wall)),
+        },
+        {
+            "name": "one wall and one more point",
+            "args": [np.vstack([wall, pair[:1]]), threshold, 12, len(wall), seed_of(rng)],
+            "draws": (12, math.inf),
         },
         {
             "name": "walls of two points",
@@ -164,14 +194,18 @@ def _plane(
     sides: int = 2,
     spot: int = 0,
     iterations: int = 110,
+    mixed: bool = False,
 ) -> Case:
-    """Return a case: 56 points of a square plane, 4 times the scale, and outliers, shuffled."""
+    """Return a case: 56 points of a square plane, 4 times the scale, and outliers.
+
+    They are shuffled, or evenly mixed.
+    """
     if isinstance(threshold, tuple):
         threshold = float(rng.uniform(*threshold))
     normal = np.asarray(direction) / np.linalg.norm(direction)
     axes = np.linalg.svd(normal[None])[2][1:]  # the two rows span the plane
     count, r = 50, rng.uniform(2.0, 3.0) * scale
-    bulk, middle = across_the_wall(rng, threshold, count)
+    bulk, middle = across_the_wall(rng, threshold, count, sides=sides)
     others = far_away(rng, threshold, max(3.0 * scale, 30 * threshold), far, sides)
     in_plane = np.vstack(
         [
@@ -182,19 +216,21 @@ def _plane(
     )
     points = np.outer(r + np.concatenate([bulk, middle, others]), normal) + scale * in_plane @ axes
     spots = np.tile((r + 1.5 * scale) * normal + scale * axes[0], (spot, 1))
+    points, on_it = np.vstack([points, spots]), count + 2 * INSIDE
+    points = evenly_mixed(points[:on_it], points[on_it:]) if mixed else rng.permutation(points)
     return {
         "name": name,
-        "args": [rng.permutation(np.vstack([points, spots])), threshold, iterations, seed_of(rng)],
+        "args": [points, threshold, iterations, seed_of(rng)],
         "draws": (iterations, math.inf),
     }
 
 
-def _exact_plane(rng: np.random.Generator) -> np.ndarray:
-    """Return 6 points exactly on a plane, no three of them near one line."""
+def _exact_plane(rng: np.random.Generator, radius: float = 1.0) -> np.ndarray:
+    """Return 6 points of a circle, exactly on a plane, no three of them near one line."""
     turn = np.arange(6) * math.pi / 3 + rng.uniform(0, math.pi)
     tilt = axes_of(rng.uniform(-3.0, 3.0))
-    flat = np.column_stack([np.full(6, rng.uniform(2.0, 3.0)), np.cos(turn)])
-    return rng.permutation(np.column_stack([flat @ tilt, np.sin(turn)]))
+    flat = np.column_stack([np.full(6, rng.uniform(2.0, 3.0)), radius * np.cos(turn)])
+    return rng.permutation(np.column_stack([flat @ tilt, radius * np.sin(turn)]))
 
 
 def _room(
@@ -241,9 +277,3 @@ def _room(
         ],
         "draws": (iterations * max(1, len(counts)), math.inf),
     }
-
-
-def _exact_wall(rng: np.random.Generator) -> np.ndarray:
-    """Return 12 points exactly on a line: any two of them find it."""
-    points = np.column_stack([np.full(12, rng.uniform(2.0, 3.0)), np.linspace(-1.0, 1.0, 12)])
-    return rng.permutation(points @ axes_of(rng.uniform(-3.0, 3.0)))

@@ -5,7 +5,7 @@ import math
 import numpy as np
 
 from solutions.cases.case import Case, Value
-from solutions.cases.consensus import across_the_wall, axes_of, far_away
+from solutions.cases.consensus import INSIDE, across_the_wall, axes_of, evenly_mixed, far_away
 
 
 def required_iterations_cases(rng: np.random.Generator) -> list[Case]:
@@ -81,7 +81,16 @@ def ransac_line_cases(rng: np.random.Generator) -> list[Case]:
     public = _wall(np.random.default_rng(0), "a wall and a few outliers", 1.0, 0.1, 5.0)
     small, large = (0.012, 0.02), (0.3, 0.4)
     cases = [
-        _wall(rng, "half of the points are outliers", 0.4, small, 1.0, far=50, iterations=200),
+        _wall(
+            rng,
+            "half of the points are outliers",
+            0.4,
+            small,
+            1.0,
+            far=50,
+            iterations=200,
+            mixed=True,
+        ),
         _wall(rng, "a large room", 2.0, large, 20.0, far=25),
         _wall(rng, "a wall behind", -2.6, small, 1.0),
         _wall(rng, "a vertical wall", 0.0, large, 20.0),
@@ -89,10 +98,27 @@ def ransac_line_cases(rng: np.random.Generator) -> list[Case]:
         # 40 equal points, such as the robot's own bumper: a pair of them is no line.
         _wall(rng, "many points in one spot", -0.8, small, 1.0, far=0, spot=35, iterations=120),
     ]
-    exact = _exact_wall(rng)
+    exact = exact_wall(rng)
     cloud, threshold = cases[2]["args"][:2]
-    spot = np.tile(rng.uniform(1.0, 3.0, 2), (12, 1))
+    spot = np.tile(rng.integers(64, 192, 2) / 64, (40, 1))  # exact in float32 as well
+    above, beside = spot[:1] + np.array([[[0.0, 0.125]], [[0.125, 0.0]]])
+    # Whole numbers: the lines of any two of them go through the origin exactly.
+    through_origin = np.outer(rng.permutation(np.arange(1.0, 10.0)), rng.integers(1, 5, 2))
     cases += [
+        # Nearer to each other than the threshold, and different all the same.
+        {"name": "two points", "args": [np.vstack([spot[:1], beside]), 0.3, 3, seed_of(rng)]},
+        {"name": "a wall through the origin", "args": [through_origin, 0.05, 5, seed_of(rng)]},
+        # A line is found only by a sample that holds the point elsewhere; it is level or upright.
+        {
+            "name": "all points but the last in one spot",
+            "args": [np.vstack([spot, above]), 0.03, 340, seed_of(rng)],
+            "draws": (340, math.inf),
+        },
+        {
+            "name": "all points but the first in one spot",
+            "args": [np.vstack([beside, spot]), 0.03, 340, seed_of(rng)],
+            "draws": (340, math.inf),
+        },
         {
             "name": "no outliers, one iteration",
             "args": [exact, threshold, 1, seed_of(rng)],
@@ -130,7 +156,9 @@ def same_consensus(case: Case, expected: Value, actual: Value) -> bool:
     (expected_r, expected_alpha), expected_inliers = expected
     offsets = points @ axes_of(expected_alpha)[0] - expected_r
     sound = np.array_equal(np.flatnonzero(np.abs(offsets) <= threshold), np.sort(expected_inliers))
-    turn = math.remainder(alpha - expected_alpha, 2 * math.pi)
+    # A normal that is turned round belongs to the same line where that goes through the origin.
+    through_origin = max(abs(r), abs(expected_r)) <= 0.01 * threshold
+    turn = math.remainder(alpha - expected_alpha, math.pi if through_origin else 2 * math.pi)
     size = max(1e-9, float(np.ptp(points, axis=0).max()) / 2)
     off = max(abs(r - expected_r), abs(turn) * size) / threshold
     if sound:
@@ -155,12 +183,16 @@ def _wall(
     sides: int = 2,
     spot: int = 0,
     iterations: int = 100,
+    mixed: bool = False,
 ) -> Case:
-    """Return a case: 46 points along a wall of six times the scale, and outliers, shuffled."""
+    """Return a case: 46 points along a wall of six times the scale, and outliers.
+
+    They are shuffled, or evenly mixed.
+    """
     if isinstance(threshold, tuple):
         threshold = float(rng.uniform(*threshold))
     r, count = rng.uniform(2.0, 4.0) * scale, 40
-    bulk, middle = across_the_wall(rng, threshold, count)
+    bulk, middle = across_the_wall(rng, threshold, count, sides=sides)
     others = far_away(rng, threshold, max(4.0 * scale, 30 * threshold), far, sides)
     positions = np.concatenate(
         [np.linspace(-3, 3, count), rng.uniform(-0.02, 0.02, len(middle)), rng.uniform(-3, 3, far)]
@@ -168,17 +200,19 @@ def _wall(
     offsets = r + np.concatenate([bulk, middle, others])
     points = np.column_stack([offsets, positions * scale])
     points = np.vstack([points, np.tile([r + 1.5 * scale, 2.0 * scale], (spot, 1))])
+    points = points @ axes_of(alpha)
+    on_it = count + 2 * INSIDE
+    points = evenly_mixed(points[:on_it], points[on_it:]) if mixed else rng.permutation(points)
     return {
         "name": name,
-        "args": [rng.permutation(points @ axes_of(alpha)), threshold, iterations, seed_of(rng)],
+        "args": [points, threshold, iterations, seed_of(rng)],
         "draws": (iterations, math.inf),
     }
 
 
-def _exact_wall(rng: np.random.Generator) -> np.ndarray:
+def exact_wall(rng: np.random.Generator) -> np.ndarray:
     """Return 12 points exactly on a line: any two of them find it."""
-    positions = np.linspace(-1.0, 1.0, 12)
-    points = np.column_stack([np.full(12, rng.uniform(2.0, 3.0)), positions])
+    points = np.column_stack([np.full(12, rng.uniform(2.0, 3.0)), np.linspace(-1.0, 1.0, 12)])
     return rng.permutation(points @ axes_of(rng.uniform(-3.0, 3.0)))
 
 

@@ -30,3 +30,11 @@ def test_a_function_stays_the_same_while_its_course_does(tmp_path: Path):
     assert load_object("solutions.only_1:number", one) is load_object(
         "solutions.only_1:number", one
     )
+
+
+def test_a_course_in_the_folder_of_another_has_its_own_code_and_data(tmp_path: Path):
+    one = course(tmp_path / "one", 1)
+    inner = course(one / "examples" / "two", 2)
+    for _ in range(2):
+        assert load_object("solutions.only_2:number", inner)() == 2
+        assert load_object("solutions.only_1:number", one)() == 1

@@ -163,7 +163,7 @@ def test_a_result_that_still_depends_on_r_is_told_so(marker):
     [
         ("2*(a + b)", "a string; write it without quotes"),
         (lambda a, b: 2 * (a + b), "function"),
-        (sp.Eq(sp.Symbol("rim"), sp.Symbol("a")), "right-hand side"),
+        (sp.Eq(sp.Symbol("rim"), sp.Symbol("a")), "only the side that is asked for"),
         ([], "several values"),
         (2 * sp.Symbol("c"), "does not declare (declared are a, b, half)"),
         (sp.Symbol("a") > 0, "not a sympy expression"),

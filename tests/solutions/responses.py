@@ -270,10 +270,10 @@ def f(points, threshold, iterations, rng):
 def f(points, threshold, iterations, rng):
     best = np.zeros(len(points), bool)
     for _ in range(iterations):
-        try:
-            plane = fit_plane(points[rng.choice(len(points), 3, replace=False)])
-        except ValueError:
+        triple = points[rng.choice(len(points), 3, replace=False)]
+        if np.linalg.svd(triple - triple[0], compute_uv=False)[1] < 1e-12:
             continue
+        plane = fit_plane(triple)
         agree = np.abs(plane_distances(points, plane)) <= threshold
         if agree.sum() > best.sum():
             best = agree

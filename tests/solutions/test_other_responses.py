@@ -1,23 +1,37 @@
-"""No right response loses, no wrong one gets everything: `responses.py`, under three seeds."""
+"""No right response loses, no wrong one gets everything, under three seeds.
+
+The responses stand in `responses.py` and `responses_to_stubs.py`.
+"""
 
 import ast
 import math
 
 import numpy as np
 import pytest
+import responses
+import responses_to_stubs
 import sympy as sp
+from given import what_a_chapter_gives
 from msgspec import structs
-from responses import CHANCE, RIGHT, WRONG
+from responses import CHANCE
 
 from autograder.kinds.function.marking import agrees
 from autograder.kinds.registry import kind_of
 from autograder.marking.draw import draw
 from autograder.sandbox.inside.evaluate import evaluate
 from solutions.lines.line_fitting import Line, distances, fit_line
-from solutions.lines.plane_fitting import Plane, fit_plane, plane_distances
 from solutions.ransac.line import ransac_line
+from solutions.ransac.probabilities import required_iterations
 
 pytestmark = pytest.mark.long
+
+_SETS = (responses, responses_to_stubs)
+RIGHT = {
+    id: [c for one in _SETS for c in one.RIGHT.get(id, ())] for one in _SETS for id in one.RIGHT
+}
+WRONG = {
+    id: [c for one in _SETS for c in one.WRONG.get(id, ())] for one in _SETS for id in one.WRONG
+}
 
 SEEDS = (1, 2, 3)
 _SYMBOLS = "r alpha N x_c y_c sum_x sum_y S_xx S_yy S_xy"
@@ -26,12 +40,11 @@ NAMES = {
     "np": np,
     "sp": sp,
     "Line": Line,
-    "Plane": Plane,
     "distances": distances,
     "fit_line": fit_line,
-    "fit_plane": fit_plane,
-    "plane_distances": plane_distances,
     "ransac_line": ransac_line,
+    "required_iterations": required_iterations,
+    **what_a_chapter_gives("3_ransac", "Plane", "fit_plane", "plane_distances"),
     "w": sp.Symbol("w", positive=True),
     **{name: sp.Symbol(name, real=True) for name in _SYMBOLS.split()},
 }

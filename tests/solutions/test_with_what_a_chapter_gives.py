@@ -2,14 +2,10 @@
 
 from __future__ import annotations
 
-import ast
-import math
-from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
-import cv2
-import numpy as np
 import pytest
+from given import what_a_chapter_gives
 
 from autograder.course import Course
 from autograder.kinds.registry import kind_of
@@ -17,8 +13,6 @@ from autograder.marking.draw import draw
 from autograder.release.take_snapshots import SEED
 from autograder.sandbox.inside.evaluate import evaluate
 
-SOURCE = Path(__file__).parents[2] / "notebooks/source/3_ransac.py"
-GIVEN = ("Line", "fit_line", "distances")
 RANSAC_LINE = """
 def ransac_line(points, threshold, iterations, rng):
     best = np.array([], int)
@@ -45,16 +39,7 @@ def snapshot(real_course: Course) -> dict[str, Any]:
 
 def credit(course: Course, snapshot: dict[str, Any], result: str) -> tuple[str, float]:
     """What the check of a bundle says to a solution that uses what the chapter gives."""
-    tree = ast.parse(SOURCE.read_text(encoding="utf-8"))
-    given = [
-        node
-        for node in tree.body
-        if isinstance(node, ast.FunctionDef | ast.ClassDef) and node.name in GIVEN
-    ]
-    assert len(given) == len(GIVEN)
-    names: dict[str, Any] = {"np": np, "cv2": cv2, "math": math, "NamedTuple": NamedTuple}
-    names["__name__"] = "chapter"
-    exec(compile(ast.Module(given, []), str(SOURCE), "exec"), names)
+    names = what_a_chapter_gives("3_ransac", "Line", "fit_line", "distances")
     exec(RANSAC_LINE.format(result=result), names)
     question = course.question("Q3.4")
     kind = kind_of(question)

@@ -66,7 +66,7 @@ def test_a_response_is_marked(garden: Path, id: str, response: object, status: s
         ("Q1.3", harvest, "it is a function"),
         ("Q1.3", None, "it is not a number"),
         ("Q1.4", "2*w + 2*l", "it is a string; write it without quotes"),
-        ("Q1.4", sp.Eq(w, l), "give only its right-hand side"),
+        ("Q1.4", sp.Eq(w, l), "give only the side that is asked for"),
         ("Q1.4", sp.Symbol("height"), "declared are w, l"),
         ("Q1.5", 12, "cannot be marked"),
     ],

@@ -30,10 +30,13 @@ class Gradescope:
     def read(self, folder: Place, context: Context) -> Found:
         found = Found(self.name, self.rule)
         places = {place.name: place for place in folder.children()}
-        told = _metadata(places.pop(SIDE_FILE))
+        side_file = places.pop(SIDE_FILE)
+        told = _metadata(side_file)
         if told is None:
             found.warnings.append(f"{SIDE_FILE} cannot be read; export it from Gradescope again.")
             told = {}
+        else:
+            found.pass_over(side_file, "Gradescope's own side file; it was read", False)
         for name, about in told.items():
             place = places.pop(str(name), None)
             if not isinstance(about, dict):

@@ -18,6 +18,8 @@ from autograder.intake.place import Place, is_notebook_name, is_system
 
 TIMESTAMP = "timestamp.txt"
 SUBMITTED = "submitted"
+# What else lies in the folder of a course.
+_OF_COURSE = ("source", "release", "autograded", "feedback", "nbgrader_config.py", "gradebook.db")
 _TIME = re.compile(r"(\d{4}-\d\d-\d\d)[ T](\d\d:\d\d:\d\d)(?:\.\d+)?\s*(\S+)?")
 
 
@@ -28,6 +30,8 @@ class NbGrader:
     rule = f"nbgrader's {SUBMITTED}/STUDENT/ASSIGNMENT/: one student for each folder"
 
     def recognises(self, folder: Place) -> bool:
+        if _in_course(folder) is not None:
+            return True
         students = [place for place in visible(folder) if place.is_folder]
         if folder.name == SUBMITTED:
             return any(_assignments(student) for student in students)
@@ -44,6 +48,13 @@ class NbGrader:
 
     def read(self, folder: Place, context: Context) -> Found:
         found = Found(self.name, self.rule)
+        submitted = _in_course(folder)
+        for place in folder.children() if submitted is not None else ():
+            if place.name in _OF_COURSE:
+                found.pass_over(place, "nbgrader's own, beside what was handed in", False)
+            elif place.name != SUBMITTED:
+                side_entry(place, found)
+        folder = submitted or folder
         students = []
         for place in folder.children():
             if place.is_folder and not place.name.startswith(".") and not is_system(place.name):
@@ -70,6 +81,16 @@ class NbGrader:
             )
             found.entries.append(Entry(student.name, origin))
         return found
+
+
+def _in_course(folder: Place) -> Place | None:
+    """What was handed in, where the whole folder of a course is given."""
+    below = {place.name: place for place in folder.children()}
+    submitted = below.get(SUBMITTED)
+    if submitted is None or not any(name in below for name in _OF_COURSE):
+        return None
+    students = [place for place in visible(submitted) if place.is_folder]
+    return submitted if any(_assignments(student) for student in students) else None
 
 
 def _assignments(student: Place) -> list[Place]:

@@ -7,6 +7,7 @@ at least two of these are wrong. Nothing of a student's is run for it.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import Any
 
 import numpy as np
 
@@ -398,6 +399,9 @@ def _changes(
             _at(place, lambda case, value: case["args"][0][np.asarray(value, dtype=int)]),
         )
     yield told("mask for indices", N_("the result is a mask, not indices")), _mask
+    for small in (np.uint8, np.int8, np.uint16, np.int16, np.int32):
+        words = N_("numbers grew too large for their integer type and wrapped around")
+        yield told(f"overflow of {small.__name__}", words), _deep(_wrapped(small))
 
 
 def _itself(_: Values, value: Value) -> object:
@@ -505,6 +509,17 @@ def _inverse(value: Value) -> Value:
 
 def _rounded_to(digits: int) -> Callable[[Value], Value]:
     return lambda value: np.round(value, digits)
+
+
+def _wrapped(small: type[np.integer[Any]]) -> Callable[[Value], Value]:
+    """Whole numbers as an integer type leaves them."""
+
+    def changed(value: Value) -> Value:
+        if np.any(value != np.round(value)) or not np.isfinite(value).all():
+            raise _NotForThis
+        return np.asarray(value).astype(np.int64).astype(small)
+
+    return changed
 
 
 def _matrix_in_degrees(place: int) -> Callable[[Value], Value]:
