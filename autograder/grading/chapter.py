@@ -219,7 +219,7 @@ class _Example:
 def _ask_about_the_example(
     marks: Sequence[Mark], work: _Work, marker: Marker, sandbox: Sandbox, deadline: float
 ) -> dict[str, _Example]:
-    """What functions do with the input that students may see, in a process of its own.
+    """What functions do with the inputs that students may see, in a process of its own.
 
     The process that was marked knows the hidden inputs by now; what it says could carry them. Only
     what gave no value for some input is asked again.
@@ -248,20 +248,23 @@ def _ask_about_the_example(
 
 
 def _no_value(reply: Evaluation) -> str:
-    """Why what came back for one input is no value, in words."""
-    outcomes = reply.get("outcomes")
-    outcome: Outcome = outcomes[0] if outcomes else {}
-    if "unusable" in outcome:
-        return _(REASONS[outcome["unusable"]])
-    return _("it changes its input in place; work on a copy") if "changed" in outcome else ""
+    """Why what came back for an input is no value, in words."""
+    outcomes: list[Outcome] = reply.get("outcomes") or []
+    for outcome in outcomes:
+        if "unusable" in outcome:
+            return _(REASONS[outcome["unusable"]])
+        if "changed" in outcome:
+            return _("it changes its input in place; work on a copy")
+    return ""
 
 
 def _public_call(question: Question, marker: Marker) -> dict[str, object] | None:
-    """The probe cut to its first case, if that is one that students may see."""
+    """The probe cut to the cases that students may see, wherever they stand among the others."""
     drawn = marker.drawn(question.id)
-    if kind_of(question).example(drawn) is None:
+    public = kind_of(question).public_cases(drawn)
+    if not public:
         return None
-    return {**drawn.probe, "cases": drawn.probe["cases"][:1], "tell": True}
+    return {**drawn.probe, "cases": [drawn.probe["cases"][i] for i in public], "tell": True}
 
 
 def _with_code(mark: Mark, question: Question, work: _Work, said: dict[str, _Example]) -> Mark:

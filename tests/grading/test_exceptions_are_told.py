@@ -154,3 +154,28 @@ def test_a_package_that_the_course_allows_and_nobody_installed_stops_the_run(tmp
     arguments = ["grade", str(tmp_path / "work"), "--out", str(tmp_path / "grades")]
     assert main(["--course", str(tmp_path / "course"), *arguments]) == 1
     assert "nowhere" in capsys.readouterr().err
+
+
+def test_an_exception_is_told_wherever_the_public_inputs_stand(tmp_path: Path):
+    make_course(tmp_path / "course")
+    key = tmp_path / "course/orchard_reference.py"
+    text = key.read_text()
+    listed = '        {"name": "three apples", "args": [[120.0, 180.0, 150.0]], "public": True},\n'
+    assert listed in text
+    last = listed.replace("three apples", "two apples").replace(", 150.0", "")
+    key.write_text(text.replace(listed, "").replace("    ]\n", f"{listed}{last}    ]\n"))
+    raises = 'def heaviest(weights):\n    raise ValueError(f"got {weights}")'
+    hand_in(tmp_path / "work", "always", Q4=raises)
+    hand_in(tmp_path / "work", "typo", Q4="def heaviest(weights):\n    return max(weight)")
+    of_two = (
+        'def heaviest(w):\n    if len(w) == 2:\n        raise KeyError("two")\n    return max(w)'
+    )
+    hand_in(tmp_path / "work", "of_two", Q4=of_two)
+    arguments = ["grade", str(tmp_path / "work"), "--out", str(tmp_path / "grades")]
+    assert main(["--course", str(tmp_path / "course"), *arguments]) == 0
+    with Gradebook(tmp_path / "grades/gradebook.db") as book:
+        told = {record.student: record.marks["Q4"].told for record in book.records()}
+    assert told["always"].startswith("ValueError: got [120.0, 180.0, 150.0]")
+    assert told["typo"].startswith("NameError: name 'weight' is not defined")
+    assert told["of_two"].startswith("KeyError: 'two'")
+    assert "251.5" not in json.dumps(told)

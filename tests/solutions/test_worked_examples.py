@@ -28,7 +28,7 @@ NUMBER = r"-?\d+(?:\.\d+)?"
 VARIANTS = [
     (id, variant)
     for id, written in COURSE.varied.items()
-    if written.table["kind"] == "function" and written.variables
+    if (written.table["kind"] == "function" or id.startswith("Q2.2")) and written.variables
     for variant in range(written.variables.count)
 ]
 
@@ -188,9 +188,114 @@ def cost(text: str) -> None:
     assert math.isclose(msac_cost(np.array([0.1, -0.2, 5]), threshold), total)
 
 
+# -- the derivation ------------------------------------------------------------------------------
+
+
+def cost_of(points: np.ndarray, r: float, degrees: float) -> float:
+    normal = np.array([math.cos(math.radians(degrees)), math.sin(math.radians(degrees))])
+    return float(((r - points @ normal) ** 2).sum())
+
+
+def least_cost(points: np.ndarray, degrees: float) -> float:
+    alpha = math.radians(degrees)
+    best = points.mean(axis=0) @ np.array([math.cos(alpha), math.sin(alpha)])
+    return cost_of(points, best, degrees)
+
+
+def sums(points: np.ndarray) -> list[float]:
+    dx, dy = (points.mean(axis=0) - points).T
+    return [dx @ dx, dy @ dy, dx @ dy]
+
+
+def told_sums(text: str) -> list[float]:
+    return [the_number(text, f"S_{{{which}}} =") for which in ("xx", "yy", "xy")]
+
+
+def slope_in_r(text: str) -> None:
+    (x, y), at = next(points_in(text)), the_number(text, "At $r =")
+    point = np.array([[x, y]])
+    slope = (cost_of(point, at + 0.5, 0) - cost_of(point, at - 0.5, 0)) / 1.0
+    assert float(re.findall(rf"= ({NUMBER})\$\. Your", text)[0]) == slope != 0
+    assert the_number(text, r"\sum_i x_i =") == x
+
+
+def best_distance(text: str) -> None:
+    one, other, center = list(points_in(text))
+    middle = (np.array(one) + other) / 2
+    assert middle.tolist() == list(center)
+    assert [float(r) for r in re.findall(rf"at \$r = ({NUMBER})\$", text)] == list(center)
+
+
+def least_costs(text: str) -> None:
+    points = np.array(list(points_in(text))[:3])
+    assert np.allclose(told_sums(text), sums(points))
+    deviations = re.findall(rf"\$((?:{NUMBER}, ){{2}}{NUMBER})\$", text)
+    for column, told in zip((points.mean(axis=0) - points).T, deviations, strict=True):
+        assert [float(number) for number in told.split(",")] == column.tolist()
+    at_0, at_45 = (
+        the_number(text, "the cost is $"),
+        float(re.findall(rf"= ({NUMBER})\$\.$", text)[0]),
+    )
+    assert math.isclose(at_0, least_cost(points, 0))
+    assert math.isclose(at_45, least_cost(points, 45))
+    squares = re.findall(rf"\(?({NUMBER})\)?\^2", text)
+    assert np.allclose([float(n) for n in squares], (points.mean(axis=0) - points).sum(axis=1))
+
+
+def with_sums(told: list[float]) -> np.ndarray:
+    """Points with these sums, to compute costs of."""
+    factor = np.linalg.cholesky([[told[0], told[2]], [told[2], told[1]]]).T
+    return np.vstack([factor, -factor]) / math.sqrt(2)
+
+
+def slope_in_alpha(text: str) -> None:
+    points = with_sums(told_sums(text))
+    below, above = (float(n) for n in re.findall(rf"\$({NUMBER})\$ at", text)[:2])
+    assert np.allclose([below, above], [least_cost(points, 44), least_cost(points, 46)], atol=5e-3)
+    change, slope = re.findall(rf"\$({NUMBER}) / 0\.0349 \\approx ({NUMBER})\$", text)[0]
+    assert math.isclose(float(change), above - below, abs_tol=0.011)
+    assert round(float(change) / math.radians(2)) == float(slope)
+
+
+def second_slope(text: str) -> None:
+    points, h = with_sums(told_sums(text)), 0.1
+    slopes = [
+        (least_cost(points, at + h) - least_cost(points, at - h)) / math.radians(2 * h)
+        for at in (44, 46)
+    ]
+    told = [float(n) for n in re.findall(rf"\$({NUMBER})\$ at", text)[:2]]
+    assert np.allclose(told, slopes, atol=6e-3)
+    change, second = re.findall(rf"\$({NUMBER}) / 0\.0349 \\approx ({NUMBER})\$", text)[0]
+    assert math.isclose(float(change), told[1] - told[0], abs_tol=0.011)
+    assert round(float(change) / math.radians(2)) == float(second)
+
+
+def angle(text: str) -> None:
+    one, other, along = list(points_in(text))[:3]
+    points = np.array([one, other])
+    assert np.allclose(told_sums(text), sums(points))
+    fitted = fit_line(points)
+    assert math.isclose(fitted.alpha, math.atan2(along[1], along[0]))
+    assert math.isclose(the_number(text, "at $"), math.degrees(fitted.alpha), abs_tol=0.05)
+    assert math.isclose(the_number(text, "or $"), fitted.alpha, abs_tol=5e-4)
+
+
+def both_angles(text: str) -> None:
+    upright, turned = text.split("With $x$ and $y$ exchanged")
+    for half in (upright, turned):
+        one, other, along = list(points_in(half))
+        points = np.array([one, other])
+        assert np.allclose(told_sums(half), sums(points))
+        fitted = fit_line(points).alpha
+        assert math.isclose(fitted, math.atan2(along[1], along[0]))
+        assert math.isclose(the_number(half, "at $"), math.degrees(fitted), abs_tol=0.05)
+
+
 EXAMPLES: dict[str, Callable[[str], None]] = {
     "Q1.3": words, "Q1.4": tree, "Q1.5": inverted_file, "Q1.6": votes, "Q1.7": weights,
-    "Q1.8": scores, "Q2.3": line, "Q2.4": covariance, "Q3.3": iterations, "Q3.4": consensus,
+    "Q1.8": scores, "Q2.2a": slope_in_r, "Q2.2b": best_distance, "Q2.2c": least_costs,
+    "Q2.2d": slope_in_alpha, "Q2.2e": angle, "Q2.2f1": second_slope, "Q2.2f2": both_angles,
+    "Q2.3": line, "Q2.4": covariance, "Q3.3": iterations, "Q3.4": consensus,
     "Q3.5": plane, "Q3.6": walls, "Q3.7a": stopping, "Q3.7b": cost,
 }  # fmt: skip
 
@@ -202,7 +307,11 @@ def test_the_reference_says_what_the_prompt_works_out_by_hand(id, variant):
     EXAMPLES[id](example)
 
 
-def test_every_function_question_has_an_example_in_several_variants():
-    functions = {id for id, question in COURSE.questions.items() if question.kind == "function"}
-    assert functions == EXAMPLES.keys() == {id for id, _ in VARIANTS}
-    assert all(sum(id == other for other, _ in VARIANTS) > 1 for id in functions)
+def test_every_function_and_step_of_the_derivation_has_an_example_in_several_variants():
+    written = {
+        id
+        for id, question in COURSE.questions.items()
+        if question.kind == "function" or id.startswith("Q2.2")
+    }
+    assert written == EXAMPLES.keys() == {id for id, _ in VARIANTS}
+    assert all(sum(id == other for other, _ in VARIANTS) > 1 for id in written)

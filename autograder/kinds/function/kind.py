@@ -77,7 +77,14 @@ class FunctionKind(CodeKind[Function, FunctionAnswer]):
         return draw_reading(question, answer, drawn, rng, root, names)
 
     def public_cases(self, drawn: Drawn) -> list[int]:
-        return [i for i, case in enumerate(drawn.expected.cases) if case.get("public")]
+        # An exception that the case asks for is not worth telling.
+        return [
+            place
+            for place, (case, right) in enumerate(
+                zip(drawn.expected.cases, drawn.expected.outcomes, strict=True)
+            )
+            if case.get("public") and "value" in right
+        ]
 
     def picture(self, answer: FunctionAnswer) -> str | None:
         return answer.picture

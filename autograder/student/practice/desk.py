@@ -94,14 +94,23 @@ def has_variants(desk: Desk, question: Question) -> bool:
     """Whether a fresh variant of a question can be drawn and marked here.
 
     One whose words are the same in all variants has none: what it asks is a formula, say, and only
-    its feedback has numbers. Nor has one that asks the same with another example.
+    its feedback has numbers. Nor has one whose key is the same: it asks the same with another
+    example.
     """
     written = desk.course.varied.get(question.id)
     if written is None or written.variables is None or kind_of(question).varies_in_words:
         return False
-    sheet, others = written.question(0), range(1, min(written.variables.count, MOST_TRIED))
-    differs = any(written.question(variant) != sheet for variant in others)
-    return differs and key_marker(desk.course, question.id) is not None
+    if key_marker(desk.course, question.id) is None:
+        return False
+    tried = range(min(written.variables.count, MOST_TRIED))
+    courses = [desk.course.with_variants({question.id: variant}) for variant in tried]
+    return all(
+        any(content != of_all[0] for content in of_all)
+        for of_all in (
+            [course.question(question.id) for course in courses],
+            [course.key[question.id] for course in courses],
+        )
+    )
 
 
 def can_be_read(desk: Desk, question: Question) -> bool:
