@@ -2,9 +2,10 @@
 
 Not a comparison with others, so `benchmarks/__main__.py` does not run it::
 
-    uv run --extra cluster python -m benchmarks.spread [--few 12] [--many 60] [--rounds 3]
+    uv run --extra cluster python -m benchmarks.spread [--few 12] [--many 60] [--rounds 3] [--whole]
 
-The submissions are real notebooks of a course of four questions, graded in sandboxes. Each
+The submissions are real notebooks of a course of four questions, graded in sandboxes; with
+``--whole``, of this course with all its chapters. Each
 contender grades a small and a large class; a submission costs the difference of the two over the
 difference of their sizes, so that starting (imports, workers, reports) does not count. The
 contenders take turns, and the median of the rounds counts. ``processor`` is the time of all
@@ -22,8 +23,10 @@ import subprocess
 import sys
 import tempfile
 import time
+import zipfile
 from pathlib import Path
 
+from solutions.make_sample_class import Work
 from tests.classroom import hand_in, make_course, stored
 
 CONTENDERS = {
@@ -33,6 +36,13 @@ CONTENDERS = {
     "--cluster local:2": ("--cluster", "local:2"),
 }
 REPOSITORY = Path(__file__).parents[1]
+
+
+def hand_in_whole(folder: Path, student: str) -> None:
+    """Hand in the solved notebooks of this course."""
+    with zipfile.ZipFile(folder / f"{student}.zip", "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, content in Work().files().items():
+            archive.writestr(name, content)
 
 
 def start(course: Path, work: Path, out: Path, more: tuple[str, ...]) -> subprocess.Popen[bytes]:
@@ -87,25 +97,30 @@ def main() -> None:
     parser.add_argument("--few", type=int, default=12)
     parser.add_argument("--many", type=int, default=60)
     parser.add_argument("--rounds", type=int, default=3)
+    parser.add_argument("--whole", action="store_true", help="submissions of this course")
     parsed = parser.parse_args()
     found: dict[str, list[tuple[float, float]]] = {name: [] for name in CONTENDERS}
     resumed: dict[str, list[float]] = {name: [] for name in CONTENDERS}
     with tempfile.TemporaryDirectory() as folder:
         root = Path(folder)
-        make_course(root / "course")
+        course = REPOSITORY
+        if not parsed.whole:
+            course = make_course(root / "course").root
         for size in (parsed.few, parsed.many):
+            (root / f"work{size}").mkdir()
             for number in range(size):
-                hand_in(root / f"work{size}", f"student{number:04}")
+                hand = hand_in_whole if parsed.whole else hand_in
+                hand(root / f"work{size}", f"student{number:04}")
         for turn in range(parsed.rounds):
             for name, more in CONTENDERS.items():
                 small, large = (
-                    grade(root / "course", root / f"work{size}", root / f"{turn}{size}{name}", more)
+                    grade(course, root / f"work{size}", root / f"{turn}{size}{name}", more)
                     for size in (parsed.few, parsed.many)
                 )
                 count = parsed.many - parsed.few
                 found[name].append(((large[0] - small[0]) / count, (large[1] - small[1]) / count))
                 work, out = root / f"work{parsed.many}", root / f"{turn}again{name}"
-                resumed[name].append(go_on(root / "course", work, out, parsed.many, more))
+                resumed[name].append(go_on(course, work, out, parsed.many, more))
     print("| | a second | processor a submission | of threads | goes on after a kill |")
     print("|---|---|---|---|---|")
     costs = {name: statistics.median(cost for _, cost in turns) for name, turns in found.items()}

@@ -17,7 +17,7 @@ from autograder.grading.dask_worker import Wanted, prepare, proof, rest
 
 FIRST_WORKER_SECONDS = 120.0
 ALONE_SECONDS = 300.0  # how long a run waits for a worker after the last has left
-REFUSED_SECONDS = 20.0  # the same, if those that are there were refused
+REFUSED_SECONDS = 20.0  # the same, also at the start, if those that are there were refused
 _LOOK_SECONDS = 2.0
 _NEWCOMER_SECONDS = 0.3
 _REST_SECONDS = 5.0
@@ -76,17 +76,22 @@ class Crew:
     def wait_for_first(self) -> None:
         """Wait until a worker is ready.
 
+        Where all that are there are refused, others may be on their way.
+
         Raises:
             ClusterError: if none comes, or all are refused.
         """
         deadline = time.monotonic() + FIRST_WORKER_SECONDS
+        hopeful = time.monotonic()
         while True:
             self.look_after()
             states = [member.state for member in list(self._members.values())]
             if "ready" in states:
                 self._started, self._last_ready = True, time.monotonic()
                 return
-            if self._look is None and states and set(states) == {"refused"}:
+            if set(states) != {"refused"}:
+                hopeful = time.monotonic()
+            elif time.monotonic() - hopeful > REFUSED_SECONDS:
                 raise ClusterError(f"No worker can be used. {self._reasons()}")
             if time.monotonic() > deadline:
                 raise ClusterError(

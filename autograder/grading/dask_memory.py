@@ -1,7 +1,8 @@
-"""What Dask remembers of each task, cut short: a run of any size is to need the same memory.
+"""What Dask remembers of each task and does beside the work, cut short.
 
-Each of these would grow by some hundred bytes a task or, where it holds the work of students, by
-as much as they handed in. Nothing of it is needed to grade.
+A run of any size is to need the same memory. Each of these would grow by some hundred bytes a task
+or, where it holds the work of students, by as much as they handed in. Nothing of it is needed to
+grade.
 """
 
 from __future__ import annotations
@@ -19,8 +20,12 @@ BRIEF = {
     # Of messages, which hold the work of students.
     "distributed.admin.low-level-log-length": 20,
     "distributed.diagnostics.computations.max-history": 10,
-    "distributed.admin.system-monitor.log-length": 60,  # of half a second each
-    "distributed.admin.system-monitor.gil.enabled": False,  # would ask a thousand times a second
+    "distributed.admin.system-monitor.log-length": 60,
+    # What else each process does while it waits: together 6 % of a core for two workers.
+    "distributed.admin.system-monitor.interval": "2s",
+    "distributed.admin.system-monitor.disk": False,
+    "distributed.admin.system-monitor.gil.enabled": False,
+    "distributed.admin.tick.interval": "1s",
     # As soon as somebody looks at that page of the dashboard.
     "distributed.scheduler.dashboard.tasks.task-stream-length": 1000,
 }

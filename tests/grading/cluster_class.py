@@ -161,6 +161,13 @@ class Lab:
             **environment,
         )
 
+    def wait_for_workers(self, count: int) -> None:
+        """Wait until this many have joined, however long their machine takes to start them."""
+        from distributed import Client
+
+        with Client(self.address, set_as_default=False) as client:
+            client.wait_for_workers(count, timeout=120)
+
     def stop(self) -> None:
         for process in self.processes:
             process.kill()

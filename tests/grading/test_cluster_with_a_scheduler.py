@@ -70,6 +70,7 @@ def test_workers_that_are_not_alike_are_refused_by_name_and_the_others_grade(roo
     key = other / "course/solutions/answers/orchard.toml"
     key.write_text(key.read_text().replace("credit = 0.25", "credit = 0.75", 1))
     lab.worker("other", AUTOGRADER_COURSE=str(other / "course"))
+    lab.wait_for_workers(5)
     process = start(root, "unlike", "--cluster", lab.address)
     said, _ = process.communicate(timeout=300)
     assert process.returncode == 0, said
