@@ -98,7 +98,7 @@ class DaskCluster:
         return self._crew.isolation if self._crew else ""
 
     def describe(self) -> str:
-        return self._crew.describe() if self._crew else ""
+        return self._crew.describe() if self._crew else "waiting for workers"
 
     def begin(self, task: Task, more: int) -> None:
         if self._client is None:
