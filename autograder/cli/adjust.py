@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, TypedDict
 
@@ -54,6 +55,7 @@ def add(commands: Commands) -> None:
 def run(parsed: argparse.Namespace, console: Console) -> int:
     """Show each student's points before and after; keep the scheme if it is accepted."""
     from autograder.gradebook import Gradebook, view_class
+    from autograder.gradebook.record import names_of
     from autograder.gradebook.view import SCHEME
     from autograder.reports.write import Options, write_reports
 
@@ -73,7 +75,7 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
         most = {"before": before.scheme.most, "after": after.scheme.most}
         print_json({"accepted": parsed.accept, "max": most, "students": rows})
         return DONE
-    _tell(console, before, after, rows)
+    _tell(console, before, after, rows, names_of(after.records))
     if parsed.accept:
         kept = "It is accepted; the reports are written again."
     elif parsed.withdraw:
@@ -138,7 +140,13 @@ def _share(record: Record, most: float) -> float:
     return round(record.total / most, 4) if most else 0.0
 
 
-def _tell(console: Console, before: ClassView, after: ClassView, rows: list[_Row]) -> None:
+def _tell(
+    console: Console,
+    before: ClassView,
+    after: ClassView,
+    rows: list[_Row],
+    names: Mapping[str, str],
+) -> None:
     from autograder.reports.terminal import printable
 
     most, most_after = before.scheme.most, after.scheme.most
@@ -149,9 +157,10 @@ def _tell(console: Console, before: ClassView, after: ClassView, rows: list[_Row
             continue
         differing += 1
         questions = f"  ({', '.join(row['questions'])})" if row["questions"] else ""
+        name = names[row["student"]]
         console.print(
             printable(
-                f"{row['name']}: {row['before']:g} of {most:g} ({row['share_before']:.0%}) → "
+                f"{name}: {row['before']:g} of {most:g} ({row['share_before']:.0%}) → "
                 f"{row['after']:g} of {most_after:g} ({row['share_after']:.0%}){questions}"
             ),
             markup=False,

@@ -39,6 +39,7 @@ def add(commands: Commands) -> None:
 def run(parsed: argparse.Namespace, console: Console) -> int:
     """Write the export, and name the work that belongs to nobody in the class list."""
     from autograder.gradebook import Gradebook, view_class
+    from autograder.gradebook.record import names_of
     from autograder.reports import exports
     from autograder.reports.stale import require_current
     from autograder.reports.terminal import warn
@@ -51,7 +52,8 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
     records = view.records
     if said := require_current(course, records):
         warn(said)
-    waiting = [f"{record.name} ({', '.join(record.open)})" for record in view.open]
+    names = names_of(records)
+    waiting = [f"{names[record.student]} ({', '.join(record.open)})" for record in view.open]
     if waiting:
         warn(
             f"{len(waiting)} students have questions that wait for a person, and no grade yet: "
@@ -97,8 +99,8 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
             "that Canvas exports as --class-list."
         )
     if view.missing:
-        names = [person.name for person in view.missing]
-        warn(f"{len(names)} students handed in nothing: {_some(names)}.")
+        missing = [person.text() for person in view.missing]
+        warn(f"{len(missing)} students handed in nothing: {_some(missing)}.")
     console.print(f"{path} is written.", markup=False, soft_wrap=True)
     return DONE
 

@@ -86,7 +86,7 @@ def _list(parsed: argparse.Namespace, console: Console, items: list[Item]) -> in
         )
         return DONE
     for item in items:
-        who = "" if parsed.anonymous else f" {item.record.name}"
+        who = "" if parsed.anonymous else f" {item.called}"
         _say(console, f"{item.question.id}{who}: {item.why}")
     _say(console, f"{len(items)} wait to be marked by hand.")
     return DONE
@@ -105,7 +105,7 @@ def _ask_all(
             before = item.question.id
             _say(console, f"\n=== {item.question.id} · {item.question.title}")
             _say(console, item.question.prompt)
-        who = "" if parsed.anonymous else f" · {item.record.name}"
+        who = "" if parsed.anonymous else f" · {item.called}"
         _say(console, f"\n--- {count} of {len(items)}{who}  ({item.why})")
         _say(console, item.response or "(nothing can be shown)")
         try:

@@ -149,7 +149,7 @@ class _Pages:
         if after in names:
             at = (names.index(after) + 1) % len(items)
         item = items[at]
-        who = "" if self._anonymous else f" · {isolated(item.record.name)}"
+        who = "" if self._anonymous else f" · {isolated(item.called)}"
         header = (
             f"<h1>{text(item.question.id)} · {text(item.question.title)}</h1>"
             f'<p class="soft">{at + 1} of {len(items)} that wait{who}: {text(item.why)}.</p>'

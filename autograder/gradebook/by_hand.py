@@ -10,7 +10,7 @@ from typing import Any
 from autograder.course.questions import Question
 from autograder.errors import UsageError
 from autograder.gradebook.book import Gradebook
-from autograder.gradebook.record import Record, response_digest
+from autograder.gradebook.record import Record, names_of, response_digest
 from autograder.gradebook.view import ClassView
 
 
@@ -21,6 +21,7 @@ class Item:
     question: Question
     record: Record
     rubric: Sequence[Any] = ()
+    called: str = ""  # the student, told apart from others of the same name
 
     @property
     def why(self) -> str:
@@ -42,11 +43,14 @@ class Item:
 def open_items(view: ClassView, question: str | None = None) -> list[Item]:
     """What waits, question by question; within one in an order that says nothing of names."""
     items = []
+    names = names_of(view.records)
     for asked in view.course.questions.values():
         if question is not None and asked.id != question:
             continue
         rubric = getattr(view.course.key[asked.id], "rubric", ())
-        found = [Item(asked, r, rubric) for r in view.records if asked.id in r.open]
+        found = [
+            Item(asked, r, rubric, names[r.student]) for r in view.records if asked.id in r.open
+        ]
         items += sorted(found, key=lambda item: item.secret_name(""))
     return items
 

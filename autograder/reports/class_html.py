@@ -38,8 +38,9 @@ _BANDS = (
     (("partial",), N_("partly right"), ORANGE, "stripes"),
     (("wrong",), N_("wrong"), RED, "crosses"),
     (STOPPED, N_("exception, limit or unreadable"), PURPLE, "dots"),
-    (("not attempted", "recorded"), N_("not attempted"), GRAY, "lines"),
+    (("not attempted",), N_("not attempted"), GRAY, "lines"),
 )
+_WAITING = (("recorded",), N_("not marked yet"), GRAY, "dots")  # only where something waits
 _MOST_MISTAKES = 20
 
 
@@ -150,12 +151,14 @@ def _broken(statistics: Sequence[QuestionStatistics], count: int) -> str:
 
 
 def _questions(statistics: Sequence[QuestionStatistics]) -> str:
+    bands = _bands_of(statistics)
     key = "".join(
-        f"<li>{swatch(color, pattern)}{_(name)}</li>" for _which, name, color, pattern in _BANDS
+        f"<li>{swatch(color, pattern)}{_(name)}</li>" for _which, name, color, pattern in bands
     )
     rows = []
     for entry in statistics:
         counts = [sum(entry.statuses[s] for s in band) for band, *_look in _BANDS]
+        counts[-1] += entry.statuses["recorded"]
         rows.append(
             [
                 f"{text(entry.question.id)} {inline(entry.question.title)}",
@@ -173,8 +176,8 @@ def _questions(statistics: Sequence[QuestionStatistics]) -> str:
         "student’s points here with the points for all other questions; near or below 0 is suspect."
     )
     words = _(
-        "Stopped: exception, time limit, crash or unreadable. Open: not attempted. Unnamed: wrong "
-        "or partly right, and like no mistake in the key."
+        "Stopped: exception, time limit, crash or unreadable. Open: not attempted, or not marked "
+        "yet. Unnamed: wrong or partly right, and like no mistake in the key."
     )
     return (
         f'{definitions()}<div class="pair"><figure>{_bands(statistics)}<figcaption>'
@@ -184,6 +187,14 @@ def _questions(statistics: Sequence[QuestionStatistics]) -> str:
         + table(_("Every question"), header, rows, set(range(1, len(header))), roomy=True)
         + f'<p class="small soft">{words}</p>'
     )
+
+
+def _bands_of(
+    statistics: Sequence[QuestionStatistics],
+) -> Sequence[tuple[tuple[str, ...], str, str, str]]:
+    """The verdicts that a bar is made of, each with its name and look."""
+    waits = any(entry.statuses["recorded"] for entry in statistics)
+    return (*_BANDS, _WAITING) if waits else _BANDS
 
 
 def _bands(statistics: Sequence[QuestionStatistics]) -> str:
@@ -197,7 +208,7 @@ def _bands(statistics: Sequence[QuestionStatistics]) -> str:
     for index, entry in enumerate(statistics):
         count = max(1, sum(entry.statuses.values()))
         start = 0.0
-        for band, _name, color, pattern in _BANDS:
+        for band, _name, color, pattern in _bands_of(statistics):
             share = 100 * sum(entry.statuses[status] for status in band) / count
             if share:
                 chart.box(start, index + 0.12, start + share, index + 0.88, color, pattern)

@@ -13,10 +13,12 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from autograder.course import Course
+from autograder.course.questions import Question
 from autograder.gradebook.record import Record
 from autograder.intake.class_list import ClassList
 from autograder.intake.matching import plain_name
 from autograder.intake.person import Person
+from autograder.language import _
 from autograder.reports.files import write_csv
 from autograder.reports.grades_csv import NOT_YET, points_cell
 from autograder.reports.machine import most_for
@@ -128,10 +130,19 @@ def _most(course: Course, records: Sequence[Record]) -> float:
     return most_for(course, records[0] if records else None)
 
 
+def _points_of(record: Record, question: Question) -> str:
+    """A question's points for the student, and how it counts if that is not as usual."""
+    scheme = record.scheme
+    if scheme is not None and question.id in scheme.dropped:
+        return f"{question.id} {_('dropped')}"
+    if scheme is not None and not scheme.counts(question.id, record):
+        return f"{question.id} {_('excused')}"
+    points = f"{question.id} {record.points(question.id) or 0.0:g}/{question.points:g}"
+    is_bonus = scheme is not None and question.id in scheme.bonus
+    return f"{points} ({_('bonus')})" if is_bonus else points
+
+
 def _summary(course: Course, record: Record) -> str:
-    said = ", ".join(
-        f"{question.id} {record.points(question.id) or 0.0:g}/{question.points:g}"
-        for question in course.questions.values()
-    )
+    said = ", ".join(_points_of(record, question) for question in course.questions.values())
     late = f"; {record.late_days} days late, -{record.deduction:g}" if record.late_days else ""
     return f"{said}{late}"

@@ -90,12 +90,15 @@ class QuestionSums:
         """Take in one submission."""
         if record.graded.status == "unreadable":
             return
-        marks = record.marks
+        marks, waiting = record.marks, set(record.open)
         points = np.array([record.points(question.id) or 0.0 for question in self._questions])
         for column, question in enumerate(self._questions):
             mark = marks.get(question.id)
+            if question.id in waiting:
+                self._statuses[column]["recorded"] += 1
+                continue
             if mark is not None:
-                self._statuses[column][mark.status] += 1
+                self._statuses[column][_status(mark, question, points[column])] += 1
                 self._unnamed[column] += _is_unnamed(question, mark)
             was_tried = mark is not None and mark.status != "not attempted"
             if was_tried or question.id in record.overrides:
@@ -152,6 +155,15 @@ class Together:
             float(np.clip(product / size, -1, 1)) if is_defined and size > 0 else None
             for product, size, is_defined in zip(self._products, scale, varies, strict=True)
         ]
+
+
+def _status(mark: Mark, question: Question, points: float) -> str:
+    """The status of a mark; what only a person marks has that of its points."""
+    if mark.status != "recorded":
+        return mark.status
+    if points >= question.points:
+        return "right"
+    return "partial" if points > 0 else "wrong"
 
 
 def _is_unnamed(question: Question, mark: Mark) -> bool:
@@ -251,7 +263,7 @@ def needs_help(course: Course, record: Record) -> Needy | None:
     reasons = []
     if record.graded.status == "unreadable":
         reasons.append(_("the submission could not be opened; ask for it again"))
-    elif record.total < most / 2:
+    elif record.total < (most - _waiting(course, record, most)) / 2:
         reasons.append(_("less than half of the points"))
     if record.graded.status != "unreadable":
         open_ones = statuses["not attempted"]
@@ -282,11 +294,24 @@ def section_of(record: Record) -> str:
     return ", ".join(dict.fromkeys(p.section for p in record.people if p.section))
 
 
+def _waiting(course: Course, record: Record, most: float) -> float:
+    """The part of ``most`` that waits for a person: nobody has earned it, or missed it, yet."""
+    whole = sum(question.points for question in course.questions.values())
+    open_ones = sum(course.questions[id].points for id in record.open if id in course.questions)
+    return most * open_ones / whole if whole else 0.0
+
+
 def _weak_chapters(course: Course, record: Record) -> tuple[str, ...]:
     weak = []
+    waiting, scheme = set(record.open), record.scheme
     for chapter in course.chapters:
-        possible = sum(question.points for question in chapter.questions)
-        earned = sum(record.points(question.id) or 0.0 for question in chapter.questions)
+        counted = [
+            question
+            for question in chapter.questions
+            if question.id not in waiting and (scheme is None or scheme.counts(question.id, record))
+        ]
+        possible = sum(question.points for question in counted)
+        earned = sum(record.points(question.id) or 0.0 for question in counted)
         if possible and earned < possible / 2:
             weak.append(chapter.title)
     return tuple(weak)

@@ -204,11 +204,12 @@ def print_record(
             said += " " + _("(evidence: {evidence})").format(evidence=mark.evidence)
         if override is not None:
             levels = "".join(f"{name}: {level}; " for name, level in override.levels.items())
-            by_hand = _("given by hand ({reason}); the grader said {points}.")
-            said = (
-                by_hand.format(reason=f"{levels}{override.reason}", points=f"{mark.points:g}")
-                + f" {said}"
-            )
+            reason = f"{levels}{override.reason}"
+            if mark.status == Status.RECORDED:  # the grader said nothing
+                said = _("given by hand ({reason}).").format(reason=reason)
+            else:
+                by_hand = _("given by hand ({reason}); the grader said {points}.")
+                said = by_hand.format(reason=reason, points=f"{mark.points:g}") + f" {said}"
         if reason := record.open_reason(question.id):
             said = _("not marked yet: {reason}.").format(reason=reason) + f" {said}"
         counts = record.scheme.remark(question.id, record) if record.scheme else ""

@@ -306,6 +306,8 @@ def test_numbers_agree_to_six_digits(value, off):
         (np.array([10**9, 2]), np.array([10.0**9 + 1, 2.0]), False),
         ([3, 4], [3.0, 4.0 + 1e-9], True),
         (10**30, 10**30 + 1, False),
+        (np.array([2**60, 1]), np.array([2**60, 1]), True),
+        (np.array([2**60, 1]), np.array([2**60 + 1, 1]), False),
     ],
 )
 def test_the_default_comparison_by_example(expected, actual, agrees):

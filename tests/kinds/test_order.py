@@ -8,7 +8,12 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from autograder.kinds.order.answer import OrderAnswer
-from autograder.kinds.order.marking import fewest_moves, mark_order, transitive_closure
+from autograder.kinds.order.marking import (
+    fewest_moves,
+    is_right,
+    mark_order,
+    transitive_closure,
+)
 from autograder.kinds.order.question import Card, Order
 from autograder.marking.marker import Marker
 
@@ -135,6 +140,25 @@ def test_the_cards_as_they_were_dealt_are_not_attempted_even_if_that_is_right(gr
     cards, before = graph
     dealt = list(reversed(cards))
     assert mark_order(question_of(cards), answer_of(cards, before), dealt).status == "not attempted"
+
+
+def test_a_right_order_is_praised_and_every_card_of_it_is_right():
+    cards = tuple("abc")
+    mark = mark_order(question_of(cards), answer_of(cards, [("a", "b"), ("b", "c")]), list(cards))
+    assert (mark.status, mark.credit, mark.alternative) == ("right", 1.0, "right")
+    assert mark.feedback == "Every step comes after the steps it needs."
+    assert [(part.label, part.right, part.feedback) for part in mark.parts] == [
+        ("Card 1", True, ""), ("Card 2", True, ""), ("Card 3", True, ""),
+    ]  # fmt: skip
+    assert mark.understood == "text a › text b › text c"
+
+
+def test_an_order_is_right_if_some_exchange_of_equal_cards_makes_it_so():
+    answer = answer_of(tuple("abcd"), [("a", "b"), ("b", "c"), ("c", "d")], same=("a", "c"))
+    assert is_right("abcd", answer)
+    assert is_right("cbad", answer)
+    assert not is_right("acbd", answer)
+    assert not is_right("dcba", answer)
 
 
 def test_the_closure_follows_chains():

@@ -4,6 +4,7 @@ import math
 import numpy as np
 import pytest
 
+from autograder.kinds.function.inside.counted_draws import CountedDraws
 from solutions.lines.line_fitting import Line, distances, fit_line, point_at
 from solutions.lines.plane_fitting import Plane, fit_plane, plane_distances
 from solutions.ransac import line as ransac_loop
@@ -62,6 +63,46 @@ def test_the_floor_is_found_among_outliers(seed):
     assert found.model.normal == pytest.approx((1 / 3, 2 / 3, 2 / 3), abs=THRESHOLD / 5)
     assert found.model.r == pytest.approx(1.0, abs=THRESHOLD / 5)
     assert set(range(160)) <= set(found.inliers)
+
+
+@pytest.mark.parametrize("scale", [0.01, 1.0, 100.0])
+def test_a_plane_is_found_as_surely_whatever_its_size(scale):
+    for seed in range(40):
+        rng = np.random.default_rng(seed)
+        points = floor_among_outliers(rng, N=100, inliers=60) * scale
+        found = ransac_plane(points, 2 * THRESHOLD * scale, 80, rng)
+        assert set(range(60)) <= set(found.inliers.tolist())
+
+
+def test_the_refit_goes_on_while_it_gains_points():
+    """Two points may be close together: the first fit then has a part of the wall only."""
+    for seed in range(40):
+        rng = np.random.default_rng(seed)
+        wall = np.column_stack([rng.uniform(0, 4, 200), 1 + rng.normal(0, 0.01, 200)])
+        found = ransac_line(wall, 0.025, 1, rng)
+        assert len(found.inliers) >= 190
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_one_iteration_is_enough_where_any_sample_gives_the_model(seed):
+    rng = np.random.default_rng(seed)
+    wall = point_at(rng.uniform(-5, 5, 12), Line(2.0, math.atan2(4, 3)))
+    floor = np.column_stack([rng.uniform(-5, 5, (12, 2)), np.full(12, 3.0)])
+    assert ransac_line(wall, THRESHOLD, 1, rng).inliers.tolist() == list(range(12))
+    assert ransac_plane(floor, THRESHOLD, 1, rng).inliers.tolist() == list(range(12))
+    for loop, points in ((ransac_loop.ransac_line, wall), (plane_loop.ransac_plane, floor)):
+        _, inliers = loop(points, THRESHOLD, 1, rng)
+        assert inliers.tolist() == list(range(12))
+        with pytest.raises(ValueError, match=r"No (line|plane)"):
+            loop(points, THRESHOLD, 0, rng)
+
+
+@pytest.mark.parametrize("iterations", [1, 7, 30])
+def test_the_loops_draw_as_many_samples_as_they_are_told(iterations):
+    for loop, s in ((ransac_loop.ransac_line, 2), (plane_loop.ransac_plane, 3)):
+        rng = CountedDraws(1)
+        loop(np.random.default_rng(0).uniform(-1, 1, (20, s)), THRESHOLD, iterations, rng)
+        assert rng.drawn == s * iterations
 
 
 @pytest.mark.parametrize("seed", range(5))

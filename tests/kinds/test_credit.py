@@ -1,0 +1,89 @@
+"""What a function earns that is right on some kinds of input and is no known mistake."""
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from autograder.kinds.function.credit import partial_credit
+from autograder.kinds.function.marking import agrees, close
+
+
+def credit(
+    kinds: str, right: list[Any], verdicts: str, public: str = "", most: float = 1.0, **case: Any
+) -> float:
+    """The credit of a function whose cases have one letter each for their kind.
+
+    ``verdicts`` has a + for each case that is right; ``public`` names kinds students can see.
+    """
+    cases = [{"name": kind, "args": [7.5], "public": kind in public, **case} for kind in kinds]
+    outcomes = [r if isinstance(r, dict) else {"value": r} for r in right]
+    return partial_credit(
+        cases,
+        outcomes,
+        [sign == "+" for sign in verdicts],
+        lambda i, outcome: agrees(close, cases[i], outcomes[i], dict(outcome)),
+        most,
+    )
+
+
+def test_each_kind_of_hidden_input_earns_its_share_if_all_of_its_cases_are_right():
+    assert credit("abcd", [2.0, 3.0, 4.0, 5.0], "+---") == 0.25
+    assert credit("abcd", [2.0, 3.0, 4.0, 5.0], "+++-") == 0.75
+    assert credit("aabb", [2.0, 3.0, 4.0, 5.0], "+-++") == 0.5
+    assert credit("abb", [2.0, 3.0, 4.0], "--+") == 0
+
+
+def test_the_share_is_rounded_down():
+    assert credit("abc", [2.0, 3.0, 4.0], "++-") == 0.66
+    assert credit("abcdefg", [2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 9.0], "+------") == 0.14
+
+
+@pytest.mark.parametrize("verdicts", ["++", "+-", "--"])
+def test_where_all_cases_are_public_nothing_is_earned(verdicts):
+    """Their results can be copied: whoever does that must not earn everything."""
+    assert credit("ab", [2.0, 3.0], verdicts, public="ab") == 0
+
+
+def test_public_kinds_earn_nothing_and_failing_them_leaves_half_at_most():
+    right = [2.0, 3.0, 4.0, 5.0, 6.0]
+    assert credit("pabcd", right, "+++--", public="p") == 0.5
+    assert credit("pabcd", right, "++++-", public="p") == 0.75
+    assert credit("pabcd", right, "-+++-", public="p") == 0.5
+    assert credit("pabcd", right, "-+---", public="p") == 0.25
+
+
+def test_a_kind_of_which_one_case_is_public_still_counts():
+    cases = [{"name": "a", "args": [7.5], "public": True}, {"name": "a", "args": [7.5]}]
+    right = [{"value": 2.0}, {"value": 3.0}]
+    given = [True, True]
+    assert partial_credit(cases, right, given, lambda i, outcome: False, 1.0) == 0.99
+
+
+def test_never_more_than_the_best_known_mistake_and_never_all():
+    assert credit("abcd", [2.0, 3.0, 4.0, 5.0], "+++-", most=0.6) == 0.6
+    assert credit("abcd", [2.0, 3.0, 4.0, 5.0], "+++-", most=0.8) == 0.75
+    assert credit("ab", [2.0, 3.0], "++") == 0.99
+
+
+@pytest.mark.parametrize(
+    "trivial",
+    [None, False, True, 0, 1, 0.0, [], np.zeros(0), np.zeros(3), np.zeros((2, 2), int), [[], []],
+     np.eye(3), np.arange(4), 7.5, {"raised": "ValueError"}],
+)  # fmt: skip
+def test_what_looks_at_nothing_earns_nothing_of_its_own_and_its_loss_is_felt(trivial):
+    right = [2.0, 3.0, trivial]
+    assert credit("abt", right, "+-+") == 0.5
+    assert credit("abt", right, "++-") == 0.66
+    assert credit("ab", [trivial, trivial], "++") == 0
+
+
+def test_a_kind_is_trivial_only_if_one_thing_is_right_on_all_its_cases():
+    assert credit("tt", [0.0, 1.0], "++") == 0.99
+    assert credit("tt", [0.0, 0.0], "++") == 0
+
+
+def test_a_trivial_value_is_trivial_whatever_the_case_says_of_random_numbers():
+    right = [{"value": 0.0, "drawn": 6}, {"value": 3.0, "drawn": 6}]
+    assert credit("ab", right, "+-", draws=(5, 9)) == 0
+    assert credit("ab", right, "-+", draws=(5, 9)) == 0.5
