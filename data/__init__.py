@@ -21,7 +21,7 @@ HERE = Path(__file__).parent
 REBUILD = "uv run --group data python -m data.build"
 
 # Photographs that show the same place, verified by SIFT matches that agree with one fundamental
-# matrix: 20 or more of them, where chance reaches 18. 0497-0498 has only about 18, but the eye is
+# matrix: 20 or more of them, where chance reaches 14. 0497-0498 has only about 18, but the eye is
 # in no doubt.
 _SAME_PLACE = (
     "0491-0492 0495-0496 0497-0498 0499-0500 0499-0501 0500-0501 0500-0502 0500-0503 0501-0502 "
