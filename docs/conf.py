@@ -6,7 +6,6 @@ from pathlib import Path
 
 from docutils.nodes import Element, SkipNode, math_block
 from docutils.utils.math.latex2mathml import tex2mathml
-from pygments.lexers.special import TextLexer
 from sphinx.application import Sphinx
 from sphinx.writers.html5 import HTML5Translator
 
@@ -52,6 +51,5 @@ def _formula(translator: HTML5Translator, node: Element) -> None:
 
 def setup(app: Sphinx) -> None:
     """Write what is made from elsewhere before Sphinx looks for pages."""
-    app.add_lexer("mermaid", TextLexer)  # GitHub draws it; here its source must do
     app.add_html_math_renderer("mathml", (_formula, None), (_formula, None))
     app.connect("config-inited", lambda app, config: pages.write(HERE))

@@ -17,11 +17,12 @@ from pathlib import Path
 import nbformat
 from nbclient import NotebookClient
 
-from autograder.authoring.build import START_ID, STUDENT
+from autograder.authoring.build import START_ID
 from autograder.authoring.executed import surroundings
 from autograder.authoring.masters import Master, read_masters
 from autograder.cli import parser
 from autograder.course import Course, load_course
+from autograder.course.layout import NOTEBOOKS
 
 ROOT = Path(__file__).parents[1]
 MADE_FROM = "made_from"
@@ -42,7 +43,7 @@ def chapters(course: Course) -> list[Master]:
 
 def unrun(course: Course, master: Master) -> nbformat.NotebookNode:
     """A chapter before it runs: what students get."""
-    return nbformat.read(course.root / STUDENT / f"{master.stem}.ipynb", as_version=4)
+    return nbformat.read(course.root / NOTEBOOKS / f"{master.stem}.ipynb", as_version=4)
 
 
 def commands_page(whole: argparse.ArgumentParser) -> str:
@@ -85,7 +86,7 @@ def _write_chapter(path: Path, course: Course, master: Master) -> None:
             notebook,
             timeout=600,
             kernel_name="python3",
-            resources={"metadata": {"path": str(course.root / STUDENT)}},
+            resources={"metadata": {"path": str(course.root / NOTEBOOKS)}},
         )
         client.execute(env=environment, stderr=subprocess.DEVNULL)
     for cell in notebook.cells:

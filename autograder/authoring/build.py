@@ -23,14 +23,13 @@ from autograder import __all__
 from autograder.authoring.executed import Executed
 from autograder.authoring.masters import Master, MasterCell, read_masters
 from autograder.course import DEMO, Course
+from autograder.course.layout import NOTEBOOKS, SOLVED, cell_id
 from autograder.errors import CourseError
 from autograder.exchange.building import BUILDING
 from autograder.kinds.exercise import heading as exercise_heading
 from autograder.kinds.question import Question
 from autograder.kinds.registry import kind_of
 
-STUDENT = Path("notebooks")
-SOLVED = Path("solutions/notebooks")
 START_ID = "start"
 # A package of this name on PyPI is another project; whoever installs that is told the same.
 START = """\
@@ -61,7 +60,9 @@ class Built:
 def build_student_notebooks(course: Course) -> list[Built]:
     """What students open: stubs to fill in, no outputs."""
     return [
-        _written(course, STUDENT / f"{master.stem}.ipynb", _assemble(course, master, solved=False))
+        _written(
+            course, NOTEBOOKS / f"{master.stem}.ipynb", _assemble(course, master, solved=False)
+        )
         for master in read_masters(course)
     ]
 
@@ -116,7 +117,7 @@ def stale_notebooks(course: Course) -> list[Path]:
         if _without_outputs(_on_disk(built.path)) != built.text:
             stale.append(built.path)
     expected = {built.path.name for built in build_student_notebooks(course)}
-    for folder in (STUDENT, SOLVED):
+    for folder in (NOTEBOOKS, SOLVED):
         stale += [
             path for path in (course.root / folder).glob("*.ipynb") if path.name not in expected
         ]
@@ -148,16 +149,17 @@ def _assemble(course: Course, master: Master, solved: bool) -> object:
             continue
         question = course.question(cell.exercise)
         exercise = kind_of(question).exercise(question, course.key[question.id], course.root)
-        slug = question.id.replace(".", "-")
         asks = exercise.check is not None and course.personal and question.id in course.varied
         heading = _heading_without_numbers(course, question) if asks else exercise.heading
-        notebook.cells.append(new_markdown_cell(heading, id=f"{slug}-question"))
+        notebook.cells.append(new_markdown_cell(heading, id=cell_id(question.id, "question")))
         if asks:  # a text that is written into the notebook would have the same numbers for all
-            notebook.cells.append(new_code_cell(f'ask("{question.id}")', id=f"{slug}-ask"))
+            notebook.cells.append(
+                new_code_cell(f'ask("{question.id}")', id=cell_id(question.id, "ask"))
+            )
         source = exercise.solved if solved else exercise.stub
-        notebook.cells.append(new_code_cell(source, id=f"{slug}-response"))
+        notebook.cells.append(new_code_cell(source, id=cell_id(question.id, "response")))
         if exercise.check is not None:
-            notebook.cells.append(new_code_cell(exercise.check, id=f"{slug}-check"))
+            notebook.cells.append(new_code_cell(exercise.check, id=cell_id(question.id, "check")))
     return notebook
 
 

@@ -17,7 +17,8 @@ from typing import Any
 import nbformat
 
 from autograder.authoring.practice import module_file, needed_modules
-from autograder.course import ANSWERS, QUESTIONS, Chapter, Course
+from autograder.course import Chapter, Course
+from autograder.course.layout import ANSWERS, MASTERS, NOTEBOOKS, QUESTIONS
 
 CACHE = Path(".build_cache/executed.json")
 _ENGINE = Path(__file__).parents[1]
@@ -71,9 +72,9 @@ def surroundings(course: Course, chapter: Chapter | None) -> str:
 
 
 def _shared(root: Path) -> Iterator[Path]:
-    for folder, pattern in ((root / "notebooks", "**/*.py"), (_ENGINE, "**/*.py")):
+    for folder, pattern in ((root / NOTEBOOKS, "**/*.py"), (_ENGINE, "**/*.py")):
         for path in sorted(folder.glob(pattern)):
-            if path.parent != root / "notebooks/source":
+            if path.parent != root / MASTERS:
                 yield path
     for path in sorted((root / "data").rglob("*")):
         if path.is_file() and "__pycache__" not in path.parts:

@@ -9,9 +9,9 @@ from pathlib import Path
 import jupytext
 
 from autograder.course import Chapter, Course
+from autograder.course.layout import MASTERS
 from autograder.errors import CourseError, UsageError
 
-MASTERS = Path("notebooks/source")
 _CALL = re.compile(r"(?<![\w.])(\w+)\(")
 _ASKS = re.compile(r"""\bpredict\(\s*["']([^"']*)["']""")
 

@@ -19,6 +19,7 @@ from autograder import __version__
 from autograder.authoring.pyproject import ENGINE
 from autograder.authoring.schema import schema_files
 from autograder.course import Course
+from autograder.course.layout import MASTERS
 from autograder.course.settings import changed_limits
 from autograder.errors import UsageError
 from autograder.exchange.messages import Message
@@ -80,11 +81,11 @@ def _files(words: dict[str, str], layout: Course | None) -> Iterator[tuple[str, 
 def _empty_chapters(layout: Course) -> Iterator[tuple[str, str]]:
     """The chapters of a course: their files and titles, and nothing that is asked."""
     yield "data/__init__.py", '"""The data of the course."""\n'
-    for master in sorted((layout.root / "notebooks/source").glob("*.py")):
+    for master in sorted((layout.root / MASTERS).glob("*.py")):
         name = master.stem.partition("_")[2]
         chapter = next((entry for entry in layout.chapters if entry.name == name), None)
         title = chapter.title if chapter else name.replace("_", " ").capitalize()
-        yield f"notebooks/source/{master.name}", f"# %% [markdown]\n# # {title}\n"
+        yield (MASTERS / master.name).as_posix(), f"# %% [markdown]\n# # {title}\n"
         if chapter is not None:
             yield f"notebooks/questions/{name}.toml", f"title = {json.dumps(title)}\n"
             yield f"solutions/answers/{name}.toml", f"# The key to {title}.\n"

@@ -10,7 +10,8 @@ import ast
 from collections.abc import Collection, Iterator
 from pathlib import Path
 
-from autograder.course import ANSWERS, QUESTIONS, Course
+from autograder.course import Course
+from autograder.course.layout import ANSWERS, QUESTIONS
 from autograder.errors import UsageError
 from autograder.kinds.registry import kind_of
 

@@ -17,8 +17,9 @@ from pathlib import Path
 from autograder.authoring.build import build_student_notebooks, unexecuted_solved_notebooks
 from autograder.authoring.proof_by_mutants import prove_by_mutants, untested_promises
 from autograder.authoring.proof_of_variants import prove_variants
-from autograder.course import ANSWERS, QUESTIONS, Course, load_course
+from autograder.course import Course, load_course
 from autograder.course.answers import Answer
+from autograder.course.layout import ANSWERS, MASTERS, NOTEBOOKS, QUESTIONS, SOLVED, cell_id
 from autograder.course.questions import Question
 from autograder.errors import AutograderError
 from autograder.grading.submission import grade_contents
@@ -96,7 +97,7 @@ def _contents(texts: list[str], course: Course) -> Contents:
         code = ["".join(cell["source"]) for cell in cells if cell["cell_type"] == "code"]
         asked = {cell["id"] for cell in cells}
         for chapter in course.chapters:
-            if any(f"{x.id.replace('.', '-')}-response" in asked for x in chapter.questions):
+            if any(cell_id(x.id, "response") in asked for x in chapter.questions):
                 notebooks[chapter.name] = Notebook(cells=code, receipts={})
     return Contents(notebooks)
 
@@ -124,19 +125,19 @@ def _prove_answer(course: Course, question: Question, answer: Answer) -> Iterato
 
 def _misplaced_files(course: Course) -> Iterator[str]:
     chapters = {f"{chapter.name}.toml" for chapter in course.chapters}
-    masters = {path.stem for path in (course.root / "notebooks/source").glob("*.py")}
+    masters = {path.stem for path in (course.root / MASTERS).glob("*.py")}
     notebooks = {f"{stem}.ipynb" for stem in masters}
     expected = {
         QUESTIONS: chapters,
         ANSWERS: chapters,
-        Path("notebooks/source"): {f"{stem}.py" for stem in masters},
-        Path("notebooks"): notebooks,
-        Path("solutions/notebooks"): notebooks,
+        MASTERS: {f"{stem}.py" for stem in masters},
+        NOTEBOOKS: notebooks,
+        SOLVED: notebooks,
     }
     for folder, names in expected.items():
         for path in sorted((course.root / folder).glob("*")):
             generated = path.name in ("responses", "submission.zip", "__pycache__")
-            module = path.suffix == ".py" and folder == Path("notebooks")
+            module = path.suffix == ".py" and folder == NOTEBOOKS
             if path.is_dir() or path.name.startswith(".") or generated or module:
                 continue
             if path.name not in names:
@@ -150,7 +151,7 @@ def _leaks(course: Course, student_notebooks: list[str]) -> Iterator[str]:
     """Parts of the key that stand in what students get: the notebooks and all beside them."""
     texts = {
         str(path.relative_to(course.root)): path.read_text(encoding="utf-8")
-        for path in sorted((course.root / "notebooks").rglob("*"))
+        for path in sorted((course.root / NOTEBOOKS).rglob("*"))
         if path.suffix in (".py", ".toml", ".md", ".js") and "responses" not in path.parts
     }
     for text in student_notebooks:

@@ -100,6 +100,7 @@ def grade_and_report(
             from autograder.grading.dask_cluster import DaskCluster
 
             spread = DaskCluster(marker, parsed.cluster, questions, isolation, warn)
+        progress.update(task, description=spread.describe())
         with spread:
             try:
                 with _journal(parsed, book, regrade) as journal, _ended_orderly():

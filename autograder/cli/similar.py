@@ -21,6 +21,7 @@ from autograder.cli.common import (
     print_json,
 )
 from autograder.cli.status import DONE
+from autograder.course.layout import SOLUTIONS, student_notebooks
 from autograder.language import _, n_
 
 if TYPE_CHECKING:
@@ -73,8 +74,7 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
             submissions = [record.graded.submission for record in records]
             names = names_of(records)
     untouched = [
-        json.loads(path.read_text(encoding="utf-8"))
-        for path in sorted((course.root / "notebooks").glob("*.ipynb"))
+        json.loads(path.read_text(encoding="utf-8")) for path in student_notebooks(course.root)
     ]
     handout = fingerprints(handout_cells(untouched))
     chapters = [chapter.name for chapter in course.chapters]
@@ -153,7 +153,7 @@ def _public(root: Path) -> dict[str, Code]:
         for path in sorted((root / "solutions/notebooks").glob("*.ipynb"))
     ]
     references = [
-        path.read_text(encoding="utf-8") for path in sorted((root / "solutions").rglob("*.py"))
+        path.read_text(encoding="utf-8") for path in sorted((root / SOLUTIONS).rglob("*.py"))
     ]
     return {
         "the solved notebooks": fingerprints(handout_cells(solved)),

@@ -1,9 +1,7 @@
 """The course on disk: its chapters and questions, its key and its settings, read and validated."""
 
 from autograder.course.course import (
-    ANSWERS,
     DEMO,
-    QUESTIONS,
     Chapter,
     Course,
     find_course_root,
@@ -12,9 +10,7 @@ from autograder.course.course import (
 from autograder.course.settings import Settings
 
 __all__ = [
-    "ANSWERS",
     "DEMO",
-    "QUESTIONS",
     "Chapter",
     "Course",
     "Settings",

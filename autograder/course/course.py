@@ -12,6 +12,15 @@ from pathlib import Path
 from typing import TypeVar
 
 from autograder.course.answers import Answer, answer_from_table
+from autograder.course.layout import (
+    ANSWERS,
+    DATA,
+    MASTERS,
+    NOTEBOOKS,
+    QUESTIONS,
+    SOLUTIONS,
+    student_notebooks,
+)
 from autograder.course.places import Places, read_places
 from autograder.course.predictions import Prediction
 from autograder.course.questions import Question, Written
@@ -23,8 +32,6 @@ from autograder.kinds.strict import Place, Table, read_table
 from autograder.kinds.variables import Variables, read_variables
 from autograder.language import N_, _, use
 
-QUESTIONS = Path("notebooks/questions")
-ANSWERS = Path("solutions/answers")
 DEMO = "demo"  # the tag of a cell that only shows something
 _PACKAGE = Path(__file__).parents[1]
 _MARKS_NOTHING = ("authoring", "cli", "gradebook", "release", "reports")  # folders of the package
@@ -233,7 +240,7 @@ class Course:
         """
         cells = [
             cell
-            for path in (self.root / "notebooks").glob("*.ipynb")
+            for path in student_notebooks(self.root)
             for cell in json.loads(path.read_text(encoding="utf-8"))["cells"]
             if DEMO in cell["metadata"].get("tags", ())
         ]
@@ -255,9 +262,9 @@ class Course:
         for top, folder, pattern, left_out in (
             (self.root, QUESTIONS, "*.toml", ()),
             (self.root, ANSWERS, "*.toml", ()),
-            (self.root, "solutions", "**/*.py", ()),
-            (self.root, "notebooks", "**/*.py", ("source",)),
-            (self.root, "data", "**/*", ()),
+            (self.root, SOLUTIONS, "**/*.py", ()),
+            (self.root, NOTEBOOKS, "**/*.py", (MASTERS.name,)),
+            (self.root, DATA, "**/*", ()),
             (_PACKAGE, ".", "**/*.py", _MARKS_NOTHING),
         ):
             for path in sorted((top / folder).glob(pattern)):
@@ -427,10 +434,6 @@ def _reject_duplicates(chapters: list[Chapter]) -> None:
 def _chapter_position(root: Path) -> Callable[[Path], str]:
     """Sort key: the number in the master's file name, so chapters stand as in the notebooks."""
     numbers = {
-        path.stem.partition("_")[2]: path.stem
-        for path in (root / "notebooks").glob("[0-9]*_*.ipynb")
-    } | {
-        path.stem.partition("_")[2]: path.stem
-        for path in (root / "notebooks/source").glob("[0-9]*_*.py")
-    }
+        path.stem.partition("_")[2]: path.stem for path in (root / NOTEBOOKS).glob("[0-9]*_*.ipynb")
+    } | {path.stem.partition("_")[2]: path.stem for path in (root / MASTERS).glob("[0-9]*_*.py")}
     return lambda path: numbers.get(path.stem, "~" + path.stem)

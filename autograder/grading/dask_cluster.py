@@ -28,7 +28,7 @@ from autograder.marking.marker import Marker
 from autograder.sandbox.launcher import NO_SANDBOX, Isolation, SandboxError, isolation_parts
 
 _MOST_UNDER_WAY = 400
-_POLL_SECONDS = 0.02
+_POLL_SECONDS = 0.05  # workers have other work waiting meanwhile
 _MOST_BYTES = 256 * 2**20  # of contents under way
 
 
@@ -98,7 +98,7 @@ class DaskCluster:
         return self._crew.isolation if self._crew else ""
 
     def describe(self) -> str:
-        return self._crew.describe() if self._crew else ""
+        return self._crew.describe() if self._crew else "waiting for workers"
 
     def begin(self, task: Task, more: int) -> None:
         if self._client is None:

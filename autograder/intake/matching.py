@@ -73,7 +73,7 @@ def match_all(
         if called:
             found[key] = index.settle(said[called[0].casefold()])
         else:
-            found[key] = [index.find_file(claim) for claim in origin.claims]
+            found[key] = [fits for claim in origin.claims for fits in index.find_all(claim)]
             found[key] = found[key] or [index.find(claim_of(key))]
     claimed: dict[Person, dict[str, int]] = defaultdict(dict)
     for key, entries in found.items():
@@ -124,6 +124,7 @@ class _Index:
         self._names: tuple[dict[str, list[Person]], ...] = tuple(
             defaultdict(list) for _ in range(4)
         )
+        self._members: dict[str, list[Person]] = defaultdict(list)
         for person in dict.fromkeys(people):
             for field, kind in _KINDS:
                 value = getattr(person, field).strip().casefold()
@@ -132,6 +133,8 @@ class _Index:
             local = person.email.partition("@")[0].casefold()
             if local and not person.login:
                 self._strong["local part", local].append(person)
+            for group in groups_of(person):
+                self._members[group].append(person)
             spellings = _spellings(person.name)
             levels = (
                 {plain_name(person.name), plain_name(_first_name_first(person.name))},
@@ -156,6 +159,18 @@ class _Index:
         fits = self._by(value, *_IDENTIFIERS) or self._named(value)
         reason = "" if len(fits) == 1 else f"{value!r} in students.toml {_fits(fits)}"
         return _Found(fits, _SETTLED, reason)
+
+    def find_all(self, claim: Claim) -> list[_Found]:
+        """The people that a claim fits: all of a group, where Moodle names the group alone.
+
+        That is what it does where a team hands in together: ``Group A_55``, with the number of the
+        group. (mod/assign/classes/downloader.php)
+        """
+        if claim.number and not self._named(claim.name):
+            members = self._members.get(plain_name(claim.name), [])
+            if members:
+                return [_Found((person,), _BY_NAME) for person in members]
+        return [self.find_file(claim)]
 
     def find_file(self, claim: Claim) -> _Found:
         """The people that a claim fits, also where a browser numbered a file: ``ada (1).ipynb``.
@@ -229,7 +244,7 @@ class _Index:
         for cut in re.finditer("-", name):
             group = plain_name(name[: cut.start()])
             fits = self._named(name[cut.end() :])
-            inside = tuple(person for person in fits if group in _groups(person))
+            inside = tuple(person for person in fits if group in groups_of(person))
             if inside:
                 reason = "" if len(inside) == 1 else f"{name!r} {_fits(inside)}"
                 return _Found(inside, _BY_NAME, reason)
@@ -256,8 +271,8 @@ class _Index:
         return ()
 
 
-def _groups(person: Person) -> set[str]:
-    """The groups of which a person is one; systems list several with commas."""
+def groups_of(person: Person) -> set[str]:
+    """The groups of which a person is one, as plain names; systems list several with commas."""
     return {plain_name(group) for group in re.split(r"[,;|]", person.section)} - {""}
 
 

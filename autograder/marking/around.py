@@ -6,6 +6,7 @@ import ast
 import json
 
 from autograder.course import Course
+from autograder.course.layout import student_notebooks
 from autograder.course.questions import Question
 from autograder.kinds.drawn import Around
 
@@ -23,7 +24,7 @@ def around(course: Course, question: Question) -> Around:
 def _numbers(course: Course, chapter: str) -> dict[str, float]:
     """What a chapter's notebook assigns as a plain number to a name; the first one counts."""
     found: dict[str, float] = {}
-    for path in sorted((course.root / "notebooks").glob("*.ipynb")):
+    for path in student_notebooks(course.root):
         if path.stem != chapter and not path.stem.endswith(f"_{chapter}"):
             continue
         for cell in json.loads(path.read_text(encoding="utf-8"))["cells"]:

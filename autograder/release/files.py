@@ -10,12 +10,14 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 
-from autograder.course import ANSWERS, QUESTIONS, Course
+from autograder.course import Course
+from autograder.course.layout import ANSWERS, DATA, MASTERS, NOTEBOOKS, QUESTIONS, SOLUTIONS
 
 _ENGINE = frozenset({".py", ".js", ".mjs", ".css", ".json", ".po"})
 _CACHES = frozenset({"__pycache__", ".ipynb_checkpoints", "node_modules"})
 _STUDENTS = frozenset({"responses", "submission.zip"})
-_NOT_COPIED = frozenset({"source", "questions", "snapshots"})  # folders with rules of their own
+# Folders with rules of their own.
+_NOT_COPIED = frozenset({MASTERS.name, QUESTIONS.name, "snapshots"})
 _PICKLES = frozenset({".pkl", ".pickle", ".joblib"})
 
 
@@ -42,7 +44,7 @@ def student_files(course: Course) -> Iterator[tuple[PurePosixPath, Path]]:
         for path in _files(folder):
             if _reason(path, course.root) is None:
                 yield _name(course, path), path
-    for path in sorted((course.root / "notebooks").glob("*.py")):
+    for path in sorted((course.root / NOTEBOOKS).glob("*.py")):
         yield _name(course, path), path
     for path in sorted((course.root / QUESTIONS).glob("*.toml")):
         yield _name(course, path), path
@@ -63,7 +65,7 @@ def left_out(course: Course) -> list[LeftOut]:
             if reason:
                 found.append(LeftOut(_name(course, path), reason))
     shared = {folder.name for folder in _shared_folders(course)}
-    for path in sorted((course.root / "notebooks").iterdir()):
+    for path in sorted((course.root / NOTEBOOKS).iterdir()):
         if path.is_dir():
             if path.name in shared | _NOT_COPIED | _CACHES | _STUDENTS or not any(_files(path)):
                 continue
@@ -81,9 +83,9 @@ def grader_files(course: Course) -> Iterator[tuple[PurePosixPath, Path]]:
     yield from student_files(course)
     # The masters' numbers give the chapters their order.
     for folder, pattern in (
-        ("notebooks/source", "*.py"),
-        (str(ANSWERS), "*.toml"),
-        ("solutions", "**/*.py"),
+        (MASTERS, "*.py"),
+        (ANSWERS, "*.toml"),
+        (SOLUTIONS, "**/*.py"),
     ):
         for path in sorted((course.root / folder).glob(pattern)):
             if _reason(path, course.root) is None:
@@ -94,10 +96,10 @@ def _shared_folders(course: Course) -> list[Path]:
     """The data, and the packages beside the notebooks; the masters in `source` are no package."""
     packages = [
         folder
-        for folder in sorted((course.root / "notebooks").iterdir())
+        for folder in sorted((course.root / NOTEBOOKS).iterdir())
         if (folder / "__init__.py").exists()
     ]
-    return [course.root / "data", *packages]
+    return [course.root / DATA, *packages]
 
 
 def _reason(path: Path, root: Path) -> str | None:

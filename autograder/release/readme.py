@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection
 
 from autograder.course import Course
+from autograder.course.layout import student_notebooks
 
 # The course's folder is put on the path by hand: a kernel that runs does not see what was installed
 # to be edited, and restarting it would ask the student for another step.
@@ -38,9 +39,7 @@ def student_readme(
         if practised
         else ""
     )
-    first = min(
-        (path.name for path in (course.root / "notebooks").glob("*.ipynb")), default="1.ipynb"
-    )
+    first = min((path.name for path in student_notebooks(course.root)), default="1.ipynb")
     return f"""# {" · ".join(chapter.title for chapter in course.chapters)}
 
 {len(course.questions)} questions, {points:g} points:

@@ -11,6 +11,7 @@ from pathlib import Path
 
 from filelock import FileLock, Timeout
 
+from autograder.course.layout import NOTEBOOKS
 from autograder.errors import AutograderError
 from autograder.exchange.responses import Entry
 from autograder.language import _, n_
@@ -28,7 +29,7 @@ def notebooks_folder(course_root: Path) -> Path:
     A notebook's kernel runs in the notebook's folder.
     """
     here = Path.cwd()
-    return here if any(here.glob("*.ipynb")) else course_root / "notebooks"
+    return here if any(here.glob("*.ipynb")) else course_root / NOTEBOOKS
 
 
 def responses_folder(course_root: Path) -> Path:

@@ -45,6 +45,7 @@ function render({ model, el }) {
     begin();
     summary.textContent = "";
     strip.replaceChildren();
+    strip.setAttribute("aria-label", "No run yet.");
     why.disabled = true;
     result.textContent = `${cloud.length} points. Draw a sample: two points, and the line through them.`;
     show();

@@ -5,8 +5,12 @@ import pytest
 pytest.importorskip("distributed", reason="Dask is not installed: uv run --extra cluster pytest")
 
 from autograder.grading import dask_crew
+from autograder.grading.dask_address import parse_address
+from autograder.grading.dask_cluster import DaskCluster
 from autograder.grading.dask_connection import ClusterError
 from autograder.grading.dask_crew import Crew, Member
+from autograder.marking.marker import Marker
+from tests.classroom import make_course
 
 REFUSED = Member("refused", "it has numpy 0.1", host="lab-1")
 READY = Member("ready", isolation="bubblewrap", host="lab-2", slots=1)
@@ -61,3 +65,9 @@ def test_if_nobody_comes_at_all_it_says_how_to_start_a_worker(monkeypatch):
     with pytest.raises(ClusterError, match="start some with `dask worker"):
         crew.wait_for_first()
     crew.close()
+
+
+def test_before_anybody_is_there_the_progress_bar_says_what_is_waited_for(tmp_path):
+    marker = Marker(make_course(tmp_path / "course"), 1, tells=False)
+    with DaskCluster(marker, parse_address("local:1")) as spread:
+        assert spread.describe() == "waiting for workers"

@@ -201,3 +201,28 @@ def test_a_number_from_a_browser_does_not_hide_whose_a_file_is(
 def test_a_comma_in_a_name_turns_it_round_only_where_it_is_sorted(written: str, called: str):
     (person,) = read_people(f'Name,Login\n"{written}",x\n', Path("list.csv"), None)
     assert person.name == called
+
+
+def test_the_work_of_a_team_is_everybodys_whom_the_list_has_in_its_group():
+    people = (
+        Person("Ada Lovelace", email="ada@x.org", number="55", section="Group A; Tuesday"),
+        Person("George Boole", email="boole@x.org", number="7", section="Tuesday, Group A"),
+        Person("Marie Curie", email="curie@x.org", section="Group B"),
+        Person("Kim Lee", email="kim@x.org", section="Tuesday"),
+    )
+
+    def of(*names: str, number: str = "7") -> list[list[str]]:
+        origins = {
+            name: Origin("moodle", claims=(Claim(name=name, number=number),)) for name in names
+        }
+        found = ClassList(people).match_all(origins)
+        return [[person.name for person in found[name].people] for name in names]
+
+    # 7 is the number of the group, whoever has it as a participant.
+    assert of("Group A", "Group B") == [["Ada Lovelace", "George Boole"], ["Marie Curie"]]
+    assert of("Default group") == [[]]
+    assert of("Kim Lee", number="9") == [["Kim Lee"]]
+    # Whoever handed in twice is listed, and nobody gets a grade by chance.
+    assert of("Group A", "Tuesday") == [[], []]
+    # Only Moodle's downloads name a group, and always with a number.
+    assert of("Group A", number="") == [[]]

@@ -8,8 +8,9 @@ from __future__ import annotations
 import csv
 import os
 import shutil
+import tempfile
 import zipfile
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
@@ -50,16 +51,17 @@ def as_user(user: int, action: Callable[[], object]) -> str:
 
 
 @pytest.fixture
-def open_to_all(tmp_path: Path) -> Path:
+def open_to_all() -> Iterator[Path]:
     """A folder that every user reaches, with the drop folder of an instructor in it."""
-    for folder in (tmp_path, *tmp_path.parents):
-        if folder.stat().st_mode & 0o011 != 0o011:
-            folder.chmod(folder.stat().st_mode | 0o011)
-    taking = tmp_path / "drop"
-    taking.mkdir()
-    os.chown(taking, 0, STAFF)
-    taking.chmod(0o3773)
-    return tmp_path
+    # Not pytest's own folder: each run that starts beside this one closes the root of all of them.
+    with tempfile.TemporaryDirectory(prefix="drop-") as made:
+        folder = Path(made)
+        folder.chmod(0o755)
+        taking = folder / "drop"
+        taking.mkdir()
+        os.chown(taking, 0, STAFF)
+        taking.chmod(0o3773)
+        yield folder
 
 
 def packed(folder: Path, name: str, content: str) -> Path:

@@ -272,3 +272,28 @@ def _smtp_server(listener: socket.socket, heard: list[str]) -> None:
             say("354 go on" if in_data else "221 bye" if line.lower() == "quit" else "250 well")
             if line.lower() == "quit":
                 return
+
+
+def test_moodle_never_takes_the_number_of_a_team_for_a_participants():
+    # Group 55 handed in; participant 55 is somebody who has nothing to do with it.
+    team = Origin("moodle", "Group A_55", (Claim(name="Group A", number="55"),))
+    ada = Person("Ada Lovelace", number="871", section="Tuesday, Group A")
+    boole = Person("George Boole", number="872", section="Group A")
+    unknown = Person("Marie Curie", section="Group A")
+    for people, numbers, left in (
+        ((ada, boole), {871, 872}, 0),
+        ((ada,), {871}, 0),
+        ((ada, unknown), {871}, 1),
+        ((unknown,), set(), 1),
+        ((unknown, Person("Kim Lee")), set(), 1),
+    ):
+        parcel = moodle_files([feedback("Group A", team, *people)])
+        read = [moodle_import(file) for file in parcel.files]
+        assert {entry.participant for entry in read if entry is not None} == numbers
+        assert len(parcel.left) == left
+    alone = Origin("moodle", "Ada Lovelace_871", (Claim(name="Ada Lovelace", number="871"),))
+    without_worksheet = Person("Ada Lovelace", email="ada@x.org", section="Group A")
+    (file,) = moodle_files([feedback("Ada Lovelace", alone, without_worksheet)]).files
+    read_alone = moodle_import(file)
+    assert read_alone is not None
+    assert read_alone.participant == 871

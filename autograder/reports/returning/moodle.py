@@ -13,6 +13,7 @@ import re
 from collections.abc import Sequence
 
 from autograder.gradebook.record import Record
+from autograder.intake.matching import groups_of, plain_name
 from autograder.intake.names import claim_of
 from autograder.reports.returning.parcel import Left, Page, Parcel
 
@@ -33,6 +34,11 @@ def moodle_files(pages: Sequence[Page]) -> Parcel:
                     "the class list, or grade the folder as Moodle gave it",
                 )
             )
+        unknown = [person.name for person in page.record.people if not person.number.isdigit()]
+        if owners and unknown and _is_team(page.record):
+            left.append(
+                Left(page.record, f"no participant number of {' and '.join(unknown)} is known")
+            )
         for name, number in owners:
             files[f"{name}_{number}_assignsubmission_file_{FILE}"] = page.html.encode()
     return Parcel(files, left)
@@ -41,10 +47,25 @@ def moodle_files(pages: Sequence[Page]) -> Parcel:
 def _participants(record: Record) -> list[tuple[str, str]]:
     """Names and participant numbers of those who handed in, as Moodle's file names hold them."""
     claims = record.origin.claims or (claim_of(record.student),)
-    claimed = [(claim.name, claim.number) for claim in claims if claim.number.isdigit()]
     known = [(p.name, p.number) for p in record.people if p.number.isdigit()]
+    if _is_team(record):  # the number in the name is the group's, and may be somebody else's
+        return [(_plain(name), number) for name, number in known]
+    claimed = [(claim.name, claim.number) for claim in claims if claim.number.isdigit()]
     found = known if len(known) > len(claimed) else claimed
     return [(_plain(name), number) for name, number in found]
+
+
+def _is_team(record: Record) -> bool:
+    """Whether Moodle named one piece of work by a group, not by one person."""
+    claims = record.origin.claims
+    groups = {group for person in record.people for group in groups_of(person)}
+    return (
+        len(claims) == 1
+        and bool(claims[0].number)
+        and (
+            len(record.people) > 1 or (bool(record.people) and plain_name(claims[0].name) in groups)
+        )
+    )
 
 
 def _plain(name: str) -> str:
