@@ -71,9 +71,7 @@ def is_echo(ranges: np.ndarray, settings: Settings) -> np.ndarray:
 
 def as_ranges(ranges: np.ndarray) -> np.ndarray:
     """Return ranges as floats; a beam that is masked has no echo, which is NaN."""
-    if np.ma.isMaskedArray(ranges):
-        return ranges.astype(float).filled(np.nan)
-    return np.asarray(ranges, dtype=float)
+    return np.where(np.ma.getmaskarray(ranges), np.nan, np.ma.getdata(ranges).astype(float))
 
 
 def scan_points(
