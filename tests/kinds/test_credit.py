@@ -1,11 +1,12 @@
 """What a function earns that is right on some kinds of input and is no known mistake."""
 
+import math
 from typing import Any
 
 import numpy as np
 import pytest
 
-from autograder.kinds.function.credit import partial_credit
+from autograder.kinds.function.credit import _trivial, partial_credit
 from autograder.kinds.function.marking import agrees, close
 
 
@@ -114,3 +115,22 @@ def test_a_trivial_value_is_trivial_whatever_the_case_says_of_random_numbers():
     right = [{"value": 0.0, "drawn": 6}, {"value": 3.0, "drawn": 6}]
     assert credit("ab", right, "+-", draws=(5, 9)) == 0
     assert credit("ab", right, "-+", draws=(5, 9)) == 0.5
+    right = [{"value": value, "drawn": 6} for value in (0.0, 3.0)]
+    assert credit("ab", right, "+-", draws=(5, math.inf)) == 0
+
+
+@pytest.mark.parametrize(
+    ("value", "of_its_shape"),
+    [
+        (3.0, [np.array(0.0), np.array(0), [], np.arange(0)]),
+        (np.ones((2, 3)), [np.zeros((2, 3)), np.zeros((2, 3), int), [], np.eye(2)]),
+        (np.ones(4), [np.zeros(4), np.zeros(4, int), [], np.arange(4)]),
+        ([[1], [2, 3]], [np.zeros(2), np.zeros(2, int), [[], []], np.arange(2)]),
+    ],
+)
+def test_what_is_taken_for_trivial(value, of_its_shape):
+    constants = [None, False, True, 0, 1, 0.0, [], np.zeros(0), np.zeros(0, int)]
+    first, *others = _trivial({"args": [7.5, "x"]}, {"value": value})
+    assert first == {"raised": "Exception"}
+    expected = [*constants, *of_its_shape, 7.5, "x"]
+    assert [repr(outcome["value"]) for outcome in others] == [repr(value) for value in expected]
