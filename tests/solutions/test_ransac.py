@@ -97,6 +97,15 @@ def test_one_iteration_is_enough_where_any_sample_gives_the_model(seed):
             loop(points, THRESHOLD, 0, rng)
 
 
+def test_a_point_exactly_at_the_threshold_agrees():
+    """The wall x = 2: these distances are exact in floating point."""
+    wall = np.column_stack([np.full(20, 2.0), np.arange(20.0)])
+    points = np.vstack([wall, [[2.5, 9.5], [1.5, 9.5], [2.75, 9.5]]])
+    line, inliers = ransac_loop.ransac_line(points, 0.5, 60, np.random.default_rng(0))
+    assert line == pytest.approx((2.0, 0.0))
+    assert inliers.tolist() == list(range(22))
+
+
 @pytest.mark.parametrize("iterations", [1, 7, 30])
 def test_the_loops_draw_as_many_samples_as_they_are_told(iterations):
     for loop, s in ((ransac_loop.ransac_line, 2), (plane_loop.ransac_plane, 3)):
