@@ -4,7 +4,7 @@ from autograder.marking.draw import SETS, seed_of_set, set_number, set_of_varian
 
 
 def test_the_first_work_of_everyone_meets_set_0_also_when_it_comes_again():
-    assert set_number("ada", "a", []) == 0
+    assert all(set_number(f"student {n}", "a", []) == 0 for n in range(20))
     assert set_number("ada", "a", ["a", "b"]) == 0
     assert set_number("bo", "z", ["z"]) == 0
 
