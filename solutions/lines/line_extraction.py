@@ -19,6 +19,7 @@ from solutions.lines.line_fitting import Line, distances, fit_line, positions_al
 from solutions.lines.scan import (
     Segment,
     Settings,
+    as_ranges,
     breaks,
     check_angles,
     first_beams,
@@ -54,7 +55,7 @@ def split_and_merge(
     settings = settings or Settings()
     points, beams = scan_points(ranges, angles, settings)
     check_angles(angles)
-    ranges, angles = np.asarray(ranges, dtype=float), np.asarray(angles, dtype=float)
+    ranges, angles = as_ranges(ranges), np.asarray(angles, dtype=float)
     first = first_beams(ranges[None], angles, settings)[0]
     order = np.argsort((beams - first) % max(1, len(ranges)))
     points, beams = points[order], beams[order]

@@ -32,7 +32,7 @@ def fit_line(points: np.ndarray, weights: np.ndarray | None = None) -> Line:
     Raises ValueError if the points do not determine a line: there are fewer than two different
     points, or the cloud is equally wide in all directions, as the corners of a square are.
     """
-    if np.ma.is_masked(points):  # the mask would be dropped without a word
+    if np.ma.is_masked(points) or np.ma.is_masked(weights):  # or the mask would be dropped
         raise ValueError("No line: some points are masked; leave them out first.")
     points = np.asarray(points, dtype=float)
     if points.ndim != 2 or points.shape[1] != 2 or len(points) < 2:
@@ -77,10 +77,10 @@ def line_covariance(
     `weights` are those of `fit_line`. The formula holds as long as sigma is small compared with
     the length of the cloud.
     """
-    points = np.asarray(points, dtype=float)
-    if not np.all(np.asarray(sigma) >= 0):
+    if not np.all(np.ma.filled(sigma, -1.0) >= 0):
         raise ValueError(f"A standard deviation is a number >= 0, not {sigma}.")
     alpha = fit_line(points, weights).alpha
+    points = np.asarray(points, dtype=float)
     weights = np.ones(len(points)) if weights is None else np.asarray(weights, dtype=float)
     center = np.average(points, axis=0, weights=weights)
 

@@ -69,11 +69,16 @@ def is_echo(ranges: np.ndarray, settings: Settings) -> np.ndarray:
         return (ranges > 0) & (ranges < settings.max_range)
 
 
+def as_ranges(ranges: np.ndarray) -> np.ndarray:
+    """Return ranges as floats; a beam that is masked has no echo, which is NaN."""
+    return np.where(np.ma.getmaskarray(ranges), np.nan, np.ma.getdata(ranges).astype(float))
+
+
 def scan_points(
     ranges: np.ndarray, angles: np.ndarray, settings: Settings
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return the echoes of one scan as (N, 2) points in metres, and the N beams they are from."""
-    ranges, angles = np.asarray(ranges, dtype=float), np.asarray(angles, dtype=float)
+    ranges, angles = as_ranges(ranges), np.asarray(angles, dtype=float)
     if ranges.ndim != 1 or ranges.shape != angles.shape:
         raise ValueError(
             f"One scan needs as many ranges as angles, not {ranges.shape} and {angles.shape}."

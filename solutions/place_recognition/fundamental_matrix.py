@@ -136,6 +136,8 @@ def _checked(
     x: np.ndarray, y: np.ndarray, threshold: float, iterations: int, confidence: float
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return the positions as floats, or say in one sentence what is wrong with the input."""
+    if np.ma.is_masked(x) or np.ma.is_masked(y):
+        raise ValueError("Some positions are masked: leave these matches out.")
     x, y = np.asarray(x, dtype=float), np.asarray(y, dtype=float)
     if x.ndim != 2 or x.shape[1] != 2 or x.shape != y.shape:
         raise ValueError(f"The positions must be two (N, 2) arrays, not {x.shape} and {y.shape}.")

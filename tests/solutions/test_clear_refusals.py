@@ -5,6 +5,8 @@ from functools import partial
 import numpy as np
 import pytest
 
+from solutions.lines.fast.scan_lines import split_and_merge_all
+from solutions.lines.line_extraction import split_and_merge
 from solutions.lines.line_fitting import fit_line, line_covariance
 from solutions.lines.plane_fitting import fit_plane
 from solutions.place_recognition import (
@@ -14,6 +16,8 @@ from solutions.place_recognition import (
     descend_tree,
     extract_features,
 )
+from solutions.place_recognition.fundamental_matrix import ransac_fundamental
+from solutions.ransac.fast.consensus import ransac_line as all_at_once
 from solutions.ransac.line import ransac_line
 from solutions.ransac.plane import ransac_plane
 from solutions.ransac.walls import find_walls
@@ -40,6 +44,48 @@ def test_masked_points_are_not_used_behind_the_readers_back():
         fit_plane(points)
     with pytest.raises(ValueError, match="masked; leave them out"):
         fit_line(points[:, :2])
+
+
+def test_no_other_mask_is_dropped_either():
+    points = np.random.default_rng(0).normal(size=(9, 2))
+    masked, weights = np.ma.array(points), np.ma.array(np.ones(9))
+    masked[4] = weights[4] = np.ma.masked
+    for look in (
+        lambda: fit_line(points, weights),
+        lambda: line_covariance(masked, 0.1),
+        lambda: all_at_once(masked, 0.1, 5, np.random.default_rng(0)),
+        lambda: ransac_fundamental(points, masked, np.random.default_rng(0)),
+        lambda: ransac_fundamental(masked, points, np.random.default_rng(0)),
+    ):
+        with pytest.raises(ValueError, match="masked"):
+            look()
+    with pytest.raises(ValueError, match="standard deviation"):
+        line_covariance(points, 0.1 * weights)
+
+
+def test_a_mask_without_a_masked_entry_changes_nothing():
+    points = np.random.default_rng(0).normal(size=(9, 2))
+    plain = np.ma.array(points)
+    assert fit_line(plain) == fit_line(points)
+    assert np.array_equal(line_covariance(plain, 0.1), line_covariance(points, 0.1))
+    one, other = (all_at_once(p, 0.3, 9, np.random.default_rng(0)) for p in (plain, points))
+    assert one.model == other.model
+
+
+def test_a_masked_beam_has_no_echo():
+    angles = np.radians(np.arange(60.0, 120.0))
+    ranges = 2.0 / np.sin(angles)  # the wall y = 2
+    masked = np.ma.array(ranges.copy())
+    masked[20:25] = np.ma.masked
+    masked.data[20:25] = 1.0
+    silent = ranges.copy()
+    silent[20:25] = np.nan
+    (wall,), (as_well,) = split_and_merge(masked, angles), split_and_merge(silent, angles)
+    assert wall.line == as_well.line
+    assert wall.line == pytest.approx((2.0, np.pi / 2))
+    one, other = (split_and_merge_all(r[None], angles) for r in (masked, silent))
+    assert np.array_equal(one.r, other.r)
+    assert len(one.r) == 1
 
 
 @pytest.mark.parametrize("rng", [None, 7, np.random])

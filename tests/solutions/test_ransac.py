@@ -97,6 +97,29 @@ def test_one_iteration_is_enough_where_any_sample_gives_the_model(seed):
             loop(points, THRESHOLD, 0, rng)
 
 
+def test_a_point_exactly_at_the_threshold_agrees():
+    """The wall x = 2: these distances are exact in floating point."""
+    wall = np.column_stack([np.full(20, 2.0), np.arange(20.0)])
+    points = np.vstack([wall, [[2.5, 9.5], [1.5, 9.5], [2.75, 9.5]]])
+    line, inliers = ransac_loop.ransac_line(points, 0.5, 60, np.random.default_rng(0))
+    assert line == pytest.approx((2.0, 0.0))
+    assert inliers.tolist() == list(range(22))
+    floor = np.array([[x, y, 2.0] for x in range(5) for y in range(5)])
+    points = np.vstack([floor, [[2.0, 2, 2.5], [2, 2, 1.5], [2, 2, 2.75]]])
+    plane, inliers = plane_loop.ransac_plane(points, 0.5, 60, np.random.default_rng(0))
+    assert plane.normal == pytest.approx((0.0, 0.0, 1.0))
+    assert plane.r == pytest.approx(2.0)
+    assert inliers.tolist() == list(range(27))
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_the_loop_keeps_the_plane_of_the_floor_and_not_the_last_one(seed):
+    rng = np.random.default_rng(seed)
+    plane, inliers = plane_loop.ransac_plane(floor_among_outliers(rng), THRESHOLD, 300, rng)
+    assert plane.normal == pytest.approx((1 / 3, 2 / 3, 2 / 3), abs=THRESHOLD / 5)
+    assert np.isin(np.arange(160), inliers).mean() > 0.97
+
+
 @pytest.mark.parametrize("iterations", [1, 7, 30])
 def test_the_loops_draw_as_many_samples_as_they_are_told(iterations):
     for loop, s in ((ransac_loop.ransac_line, 2), (plane_loop.ransac_plane, 3)):

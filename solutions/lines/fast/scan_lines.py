@@ -15,6 +15,7 @@ from solutions.lines.line_fitting import Line
 from solutions.lines.scan import (
     Segment,
     Settings,
+    as_ranges,
     breaks,
     check_angles,
     first_beams,
@@ -63,7 +64,7 @@ def split_and_merge_all(
     range) are left out. Raises ValueError for arrays of other shapes, or other angles.
     """
     settings = settings or Settings()
-    ranges, angles = np.asarray(ranges, dtype=float), np.asarray(angles, dtype=float)
+    ranges, angles = as_ranges(ranges), np.asarray(angles, dtype=float)
     if ranges.ndim != 2 or ranges.shape[1:] != angles.shape:
         raise ValueError(
             f"Needs (M, B) ranges and (B,) angles, not {ranges.shape} and {angles.shape}."

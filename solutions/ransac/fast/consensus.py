@@ -213,6 +213,8 @@ def _checked(
     points: np.ndarray, s: int, threshold: float, iterations: int, confidence: float | None
 ) -> np.ndarray:
     """Return the points as floats, or say in one sentence what is wrong with the input."""
+    if np.ma.is_masked(points):
+        raise ValueError("Some points are masked; leave them out first.")
     points = np.asarray(points, dtype=float)
     if points.ndim != 2 or points.shape[1] != s:
         raise ValueError(f"The points must be an (N, {s}) array, not {points.shape}.")
