@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from functools import cache
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -155,7 +155,7 @@ def _diagnoses(
             yield Diagnosis(f"{name}, and a constant factor", said, text)
 
 
-@cache
+@lru_cache(maxsize=256)  # a class with numbers of their own has many
 def _changed(
     formula: str, symbols: tuple[str, ...], language: str
 ) -> tuple[tuple[tuple[str, str, str], ...], tuple[tuple[Mutant, str], ...]]:

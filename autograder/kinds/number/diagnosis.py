@@ -6,7 +6,7 @@ import itertools
 import math
 from collections.abc import Iterator
 from decimal import Decimal
-from functools import cache
+from functools import lru_cache
 
 import numpy as np
 
@@ -72,7 +72,7 @@ def diagnose_number(
     return None
 
 
-@cache
+@lru_cache(maxsize=256)  # a class with numbers of their own has many
 def _known_variations(
     code: str, numbers: tuple[tuple[str, float], ...], language: str
 ) -> tuple[tuple[str, str, float], ...]:
