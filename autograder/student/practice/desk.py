@@ -7,6 +7,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from autograder.course import Course
 from autograder.course.questions import Question
 from autograder.exchange.responses import Entry
 from autograder.kinds.mark import Mark
@@ -94,22 +95,24 @@ def has_variants(desk: Desk, question: Question) -> bool:
     """Whether a fresh variant of a question can be drawn and marked here.
 
     One whose words are the same in all variants has none: what it asks is a formula, say, and only
-    its feedback has numbers. Nor has one whose key is the same: it asks the same with another
-    example.
+    its feedback has numbers. Nor has one whose key is the same, where nothing is drawn from a bank:
+    it asks the same with another example.
     """
     written = desk.course.varied.get(question.id)
     if written is None or written.variables is None or kind_of(question).varies_in_words:
         return False
     if key_marker(desk.course, question.id) is None:
         return False
-    tried = range(min(written.variables.count, MOST_TRIED))
-    courses = [desk.course.with_variants({question.id: variant}) for variant in tried]
-    return all(
-        any(content != of_all[0] for content in of_all)
-        for of_all in (
-            [course.question(question.id) for course in courses],
-            [course.key[question.id] for course in courses],
-        )
+    others = range(1, min(written.variables.count, MOST_TRIED))
+
+    def differs(what: Callable[[Course], object]) -> bool:
+        sheets = what(desk.course.with_variants({question.id: 0}))
+        own = (what(desk.course.with_variants({question.id: variant})) for variant in others)
+        return any(one != sheets for one in own)
+
+    drawn = kind_of(question).drawn_fields[0]
+    return differs(lambda course: course.question(question.id)) and bool(
+        drawn or differs(lambda course: course.key[question.id])
     )
 
 
