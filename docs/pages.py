@@ -22,7 +22,7 @@ from autograder.authoring.executed import surroundings
 from autograder.authoring.masters import Master, read_masters
 from autograder.cli import parser
 from autograder.course import Course, load_course
-from autograder.course.layout import NOTEBOOKS
+from autograder.course.folders import NOTEBOOKS
 
 ROOT = Path(__file__).parents[1]
 MADE_FROM = "made_from"

@@ -23,7 +23,7 @@ from autograder import __all__
 from autograder.authoring.executed import Executed
 from autograder.authoring.masters import Master, MasterCell, read_masters
 from autograder.course import DEMO, Course
-from autograder.course.layout import NOTEBOOKS, SOLVED, cell_id
+from autograder.course.folders import NOTEBOOKS, SOLVED, cell_id
 from autograder.errors import CourseError
 from autograder.exchange.building import BUILDING
 from autograder.kinds.exercise import heading as exercise_heading

@@ -18,7 +18,7 @@ import nbformat
 
 from autograder.authoring.practice import module_file, needed_modules
 from autograder.course import Chapter, Course
-from autograder.course.layout import ANSWERS, MASTERS, NOTEBOOKS, QUESTIONS
+from autograder.course.folders import ANSWERS, DATA, MASTERS, NOTEBOOKS, QUESTIONS
 
 CACHE = Path(".build_cache/executed.json")
 _ENGINE = Path(__file__).parents[1]
@@ -76,7 +76,7 @@ def _shared(root: Path) -> Iterator[Path]:
         for path in sorted(folder.glob(pattern)):
             if path.parent != root / MASTERS:
                 yield path
-    for path in sorted((root / "data").rglob("*")):
+    for path in sorted((root / DATA).rglob("*")):
         if path.is_file() and "__pycache__" not in path.parts:
             yield path
 

@@ -9,7 +9,7 @@ from pathlib import Path
 import jupytext
 
 from autograder.course import Chapter, Course
-from autograder.course.layout import MASTERS
+from autograder.course.folders import MASTERS
 from autograder.errors import CourseError, UsageError
 
 _CALL = re.compile(r"(?<![\w.])(\w+)\(")

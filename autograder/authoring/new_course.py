@@ -19,7 +19,7 @@ from autograder import __version__
 from autograder.authoring.pyproject import ENGINE
 from autograder.authoring.schema import schema_files
 from autograder.course import Course
-from autograder.course.layout import MASTERS
+from autograder.course.folders import ANSWERS, MASTERS, QUESTIONS
 from autograder.course.settings import changed_limits
 from autograder.errors import UsageError
 from autograder.exchange.messages import Message
@@ -87,8 +87,8 @@ def _empty_chapters(layout: Course) -> Iterator[tuple[str, str]]:
         title = chapter.title if chapter else name.replace("_", " ").capitalize()
         yield (MASTERS / master.name).as_posix(), f"# %% [markdown]\n# # {title}\n"
         if chapter is not None:
-            yield f"notebooks/questions/{name}.toml", f"title = {json.dumps(title)}\n"
-            yield f"solutions/answers/{name}.toml", f"# The key to {title}.\n"
+            yield (QUESTIONS / f"{name}.toml").as_posix(), f"title = {json.dumps(title)}\n"
+            yield (ANSWERS / f"{name}.toml").as_posix(), f"# The key to {title}.\n"
 
 
 def _like(layout: Course, text: str) -> str:

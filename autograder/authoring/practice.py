@@ -11,7 +11,7 @@ from collections.abc import Collection, Iterator
 from pathlib import Path
 
 from autograder.course import Course
-from autograder.course.layout import ANSWERS, QUESTIONS
+from autograder.course.folders import ANSWERS, QUESTIONS
 from autograder.errors import UsageError
 from autograder.kinds.registry import kind_of
 

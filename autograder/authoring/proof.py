@@ -19,7 +19,7 @@ from autograder.authoring.proof_by_mutants import prove_by_mutants, untested_pro
 from autograder.authoring.proof_of_variants import prove_variants
 from autograder.course import Course, load_course
 from autograder.course.answers import Answer
-from autograder.course.layout import ANSWERS, MASTERS, NOTEBOOKS, QUESTIONS, SOLVED, cell_id
+from autograder.course.folders import ANSWERS, MASTERS, NOTEBOOKS, QUESTIONS, SOLVED, cell_id
 from autograder.course.questions import Question
 from autograder.errors import AutograderError
 from autograder.grading.submission import grade_contents

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 
 import msgspec
 
-from autograder.course.layout import ANSWERS, QUESTIONS
+from autograder.course.folders import ANSWERS, QUESTIONS
 from autograder.course.predictions import Prediction
 from autograder.course.settings import WrittenSettings
 from autograder.gradebook.read_scheme import WrittenScheme

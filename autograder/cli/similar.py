@@ -21,7 +21,7 @@ from autograder.cli.common import (
     print_json,
 )
 from autograder.cli.status import DONE
-from autograder.course.layout import SOLUTIONS, student_notebooks
+from autograder.course.folders import SOLUTIONS, SOLVED, student_notebooks
 from autograder.language import _, n_
 
 if TYPE_CHECKING:
@@ -150,7 +150,7 @@ def _public(root: Path) -> dict[str, Code]:
 
     solved = [
         json.loads(path.read_text(encoding="utf-8"))
-        for path in sorted((root / "solutions/notebooks").glob("*.ipynb"))
+        for path in sorted((root / SOLVED).glob("*.ipynb"))
     ]
     references = [
         path.read_text(encoding="utf-8") for path in sorted((root / SOLUTIONS).rglob("*.py"))

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import TypeVar
 
 from autograder.course.answers import Answer, answer_from_table
-from autograder.course.layout import (
+from autograder.course.folders import (
     ANSWERS,
     DATA,
     MASTERS,

@@ -128,7 +128,7 @@ def _find_single(place: Place, context: Context, layout: str | None) -> Found:
         return Found("plain", plain.RULE_ONE, Shelf(Entry, [plain.one_entry(place)]))
     if place.is_folder:
         return _find(place, context, layout)
-    if layout is None and plain._is_person(place, context):
+    if layout is None and plain.is_person(place, context):
         return Found("plain", plain.RULE_ONE, Shelf(Entry, [plain.one_entry(place)]))
     inside = as_folder_if_readable(place)
     if inside is None:
@@ -196,7 +196,7 @@ def _look_below(
     """The class one folder further down, where there is nothing else; or several downloads."""
     wrapped = plain.is_wrapped(folder)
     if wrapped is not None:
-        if plain._is_person(wrapped, context) and layout is None:
+        if plain.is_person(wrapped, context) and layout is None:
             return None
         inner = is_archive or not isinstance(wrapped, DiskPlace)
         found = _look_or_none(wrapped, context, layout, inner, depth + 1)
@@ -239,7 +239,7 @@ def _ask_which_download(folder: Place, work: Sequence[Place], context: Context) 
     downloads = [place for place in work if _is_download(place)]
     books = [place for place in visible(folder) if is_notebook_name(place.name)]
     downloads = downloads or [place for place in work if _is_whole_class(place, work, context)]
-    if downloads and not any(plain._is_person(place, context) for place in work):
+    if downloads and not any(plain.is_person(place, context) for place in work):
         others = [place for place in (*work, *books) if place is not downloads[0]]
         beside = ", ".join(shown(place.name) for place in others[:_NAMED])
         raise UsageError(
@@ -266,13 +266,13 @@ def _is_whole_class(place: Place, beside: Sequence[Place], context: Context) -> 
     """Whether a folder can hardly be one student's, by what lies in it and what it is called."""
     if not place.is_folder or not _is_class(place, context, _SURELY_A_CLASS):
         return False
-    known = [p for p in visible(place) if plain._is_person(p, context)]
-    called = plain._is_generic(plain.stem_of(place), context)
+    known = [p for p in visible(place) if plain.is_person(p, context)]
+    called = plain.is_generic(plain.stem_of(place), context)
     return len(beside) == 1 or called or len(known) >= _SURELY_A_CLASS
 
 
 def _is_class(place: Place, context: Context, fewest: int = 2) -> bool:
-    many = len(plain._signs(place, context).of_class) >= fewest
+    many = len(plain.signs_in(place, context).of_class) >= fewest
     return many and plain.judge(place, context) is Verdict.CLASS
 
 
@@ -280,7 +280,7 @@ def _look_at_several(
     places: Sequence[Place], context: Context, layout: str | None, is_archive: bool, depth: int
 ) -> Found | None:
     """Downloads that lie side by side, as one for each section of a class, read as one."""
-    if any(plain._is_person(place, context) for place in places):
+    if any(plain.is_person(place, context) for place in places):
         return None
     several = [_look_or_none(place, context, layout, is_archive, depth + 1) for place in places]
     joined = Found()
@@ -311,7 +311,7 @@ def _beside(folder: Place, found: Found | None, wrapped: Place) -> Found | None:
         return None
     for place in folder.children():
         if place.name != wrapped.name:
-            reason, needs_person = plain._why_not(place, Context(Settings()))
+            reason, needs_person = plain.why_not(place, Context(Settings()))
             found.pass_over(place, reason or "lies beside the folder of the class", needs_person)
     return found
 

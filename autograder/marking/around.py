@@ -6,7 +6,7 @@ import ast
 import json
 
 from autograder.course import Course
-from autograder.course.layout import student_notebooks
+from autograder.course.folders import student_notebooks
 from autograder.course.questions import Question
 from autograder.kinds.drawn import Around
 

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 
 from autograder.course import Course
-from autograder.course.layout import ANSWERS, DATA, MASTERS, NOTEBOOKS, QUESTIONS, SOLUTIONS
+from autograder.course.folders import ANSWERS, DATA, MASTERS, NOTEBOOKS, QUESTIONS, SOLUTIONS
 
 _ENGINE = frozenset({".py", ".js", ".mjs", ".css", ".json", ".po"})
 _CACHES = frozenset({"__pycache__", ".ipynb_checkpoints", "node_modules"})

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection
 
 from autograder.course import Course
-from autograder.course.layout import student_notebooks
+from autograder.course.folders import student_notebooks
 
 # The course's folder is put on the path by hand: a kernel that runs does not see what was installed
 # to be edited, and restarting it would ask the student for another step.

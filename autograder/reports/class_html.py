@@ -40,7 +40,7 @@ _BANDS = (
     (STOPPED, N_("exception, limit or unreadable"), PURPLE, "dots"),
     (("not attempted",), N_("not attempted"), GRAY, "lines"),
 )
-_WAITING = (("recorded",), N_("not marked yet"), GRAY, "dots")  # only where something waits
+_WAITING = (("recorded",), N_("not marked yet"), GRAY, "columns")  # only where something waits
 _MOST_MISTAKES = 20
 
 

@@ -7,6 +7,7 @@ _DRAWN = {
     "stripes": '<path d="M-2,2 l4,-4 M0,8 l8,-8 M6,10 l4,-4" stroke-width="2"/>',
     "crosses": '<path d="M0,0 l8,8 M8,0 l-8,8" stroke-width="1.5"/>',
     "dots": '<circle cx="4" cy="4" r="1.8" fill="var(--paper)" stroke="none"/>',
+    "columns": '<path d="M4,0 v8" stroke-width="2"/>',
     "lines": '<path d="M0,4 h8" stroke-width="2"/>',
 }
 

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from filelock import FileLock, Timeout
 
-from autograder.course.layout import NOTEBOOKS
+from autograder.course.folders import NOTEBOOKS
 from autograder.errors import AutograderError
 from autograder.exchange.responses import Entry
 from autograder.language import _, n_

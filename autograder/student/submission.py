@@ -13,7 +13,7 @@ from pathlib import Path, PurePosixPath
 from typing import Any
 
 from autograder.course import Course
-from autograder.course.layout import NOTEBOOKS
+from autograder.course.folders import NOTEBOOKS
 from autograder.errors import AutograderError
 from autograder.exchange.identity import FILE
 from autograder.intake.notebook_reader import SUBMITTED, Unreadable, read_notebook

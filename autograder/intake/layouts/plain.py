@@ -66,7 +66,7 @@ class Verdict(Enum):
 
 
 @dataclass(frozen=True)
-class _Signs:
+class Signs:
     """What in a folder speaks for one submission and what for a class."""
 
     of_one: list[Place]
@@ -76,8 +76,8 @@ class _Signs:
 
 def judge(folder: Place, context: Context, is_archive: bool = False) -> Verdict:
     """Whether a folder, or what a zip holds, is one submission or a class."""
-    signs = _signs(folder, context)
-    people = [place for place in signs.of_class if _is_person(place, context)]
+    signs = signs_in(folder, context)
+    people = [place for place in signs.of_class if is_person(place, context)]
     count = len(signs.of_class)
     if not signs.of_one:
         if not count:
@@ -101,7 +101,7 @@ def judge(folder: Place, context: Context, is_archive: bool = False) -> Verdict:
 
 def unclear(folder: Place, context: Context) -> UsageError:
     """The question to the person who grades."""
-    signs = _signs(folder, context)
+    signs = signs_in(folder, context)
     named = [shown(place.name) for place in (*signs.of_one, *signs.of_class)][:4]
     return UsageError(
         f"{shown(folder.text())} may be one submission or a class: it holds "
@@ -113,7 +113,7 @@ def read_class(folder: Place, context: Context) -> Found:
     """Every zip, folder and notebook in a folder as the submission of one student."""
     found = Found("plain", RULE)
     for place in folder.children():
-        reason, needs_person = _why_not(place, context)
+        reason, needs_person = why_not(place, context)
         if reason:
             found.pass_over(place, reason, needs_person)
         else:
@@ -141,7 +141,7 @@ def stem_of(place: Place) -> str:
     return PurePath(name).stem or name
 
 
-def _why_not(place: Place, context: Context) -> tuple[str, bool]:
+def why_not(place: Place, context: Context) -> tuple[str, bool]:
     """Why an entry of a class is not a submission, and whether a person should look at it."""
     name = place.name
     if is_system(name):
@@ -155,7 +155,7 @@ def _why_not(place: Place, context: Context) -> tuple[str, bool]:
         return "", False  # reading it says that it is a link
     if _is_handout(place, context):
         return "the notebooks as they were handed out", False
-    if is_work or _is_person(place, context):
+    if is_work or is_person(place, context):
         return "", False
     lower = name.lower()
     if is_side_file(place):
@@ -165,8 +165,9 @@ def _why_not(place: Place, context: Context) -> tuple[str, bool]:
     return "neither a zip nor a notebook nor a folder", True
 
 
-def _signs(folder: Place, context: Context) -> _Signs:
-    signs = _Signs([], [], [])
+def signs_in(folder: Place, context: Context) -> Signs:
+    """What lies in a folder, sorted by what it speaks for."""
+    signs = Signs([], [], [])
     for place in visible(folder):
         if place.name.startswith(".") or is_reports(place):
             continue
@@ -179,7 +180,7 @@ def _signs(folder: Place, context: Context) -> _Signs:
             if place.name.lower() == "responses" or _holds_work(place):
                 signs.of_one.append(place)
         elif is_zip(place) or (place.is_folder and _holds_work(place)):
-            generic = _is_generic(stem_of(place), context) and not _is_person(place, context)
+            generic = is_generic(stem_of(place), context) and not is_person(place, context)
             (signs.generic if generic else signs.of_class).append(place)
     return signs
 
@@ -203,7 +204,8 @@ def _holds_work(folder: Place, depth: int = 0) -> bool:
     )
 
 
-def _is_generic(stem: str, context: Context) -> bool:
+def is_generic(stem: str, context: Context) -> bool:
+    """Whether a name says what something is, and not whose: ``final (2)``, or a chapter."""
     plain = stem.casefold()
     for _ in range(3):
         plain = _COPIED.sub("", plain).strip(" _-.")
@@ -212,7 +214,8 @@ def _is_generic(stem: str, context: Context) -> bool:
     return plain in names or plain in context.handout.stems or set(words) <= names
 
 
-def _is_person(place: Place, context: Context) -> bool:
+def is_person(place: Place, context: Context) -> bool:
+    """Whether a place is called like somebody in the class list."""
     from autograder.intake.matching import match_all
 
     if not context.people:

@@ -67,7 +67,7 @@ def diagnose_function(
     effort = Effort(_MOST_STEPS)
     for diagnosis, change in _changes(cases, right, asked):
         for i in order:
-            if not effort.allows(costs[i]):
+            if not effort.spend(costs[i]):
                 return None
             if not _explains(change, cases[i], right[i], outcomes[i], same):
                 break
@@ -75,7 +75,7 @@ def diagnose_function(
             return diagnosis
     for name, words, repair in repairs():
         for i in wrong:
-            if not effort.allows(costs[i]):
+            if not effort.spend(costs[i]):
                 return None
             if not _is_mended(repair, cases[i], right[i], outcomes[i], counts_as_right or same):
                 break

@@ -35,7 +35,7 @@ from autograder.kinds.function.trial import mutants_of, outcome_of
 from autograder.language import _
 from autograder.marking.diagnosis.effort import Effort, lines_run, numbers_in
 from autograder.marking.diagnosis.relations import Diagnosis, looks_as_if
-from autograder.marking.mutants.clones import code_of, reachable, tree_of, with_changed
+from autograder.marking.mutants.clones import codes_of, reachable, tree_of, with_changed
 from autograder.marking.mutants.mutant import Mutant, OutOfTime
 
 # In lines that the reference runs, some 2 to 5 million a second of a processor.
@@ -120,7 +120,7 @@ class Hypotheses:
             if named and self._origins[index] is not self._origins[index - 1]:
                 return  # the same work in yet other clothes would say nothing new
             for case in order:
-                if not effort.allows(costs[case]):
+                if not effort.spend(costs[case]):
                     return
                 if not self._fits(index, case, right, outcomes, verdicts):
                     break
@@ -211,10 +211,8 @@ class Hypotheses:
     def _counting(self, function: FunctionType) -> Call:
         """The function itself, which can be called with what makes it run for ever."""
         every = reachable(function, self._root)
-        trees = {entry: _with_ticks(tree_of(entry)) for entry in every}
-        codes = {entry: code_of(tree, "<reference>") for entry, tree in trees.items()}
-        changed = trees[function]
-        return wraps(function)(with_changed(function, every, function, changed, self._names, codes))
+        tree, codes = _with_ticks(tree_of(function)), codes_of(every, _with_ticks)
+        return wraps(function)(with_changed(function, every, function, tree, self._names, codes))
 
     def _tick(self) -> None:
         self._turns -= 1

@@ -7,7 +7,6 @@ import math
 import time
 import warnings
 from collections.abc import Callable, Collection, Iterator, Sequence
-from contextlib import suppress
 from pathlib import Path
 from types import FunctionType
 
@@ -18,7 +17,7 @@ from autograder.exchange.messages import Value, Values
 from autograder.kinds.function.answer import FunctionAnswer
 from autograder.kinds.function.inside.evaluate import evaluate
 from autograder.kinds.function.marking import Outcome, agrees, close
-from autograder.marking.mutants.clones import code_of, reachable, tree_of, with_changed
+from autograder.marking.mutants.clones import codes_of, reachable, tree_of, with_changed
 from autograder.marking.mutants.edits import MoreEdits, begin_with, described, edited
 from autograder.marking.mutants.limit import time_limit
 from autograder.marking.mutants.mutant import Mutant, Trial
@@ -128,11 +127,7 @@ def mutants_of(
     if not isinstance(reference, FunctionType):
         return
     every = reachable(reference, root)
-    codes = {
-        function: code_of(prepare(tree_of(function)), function.__code__.co_filename)
-        for function in every
-        if prepare
-    }
+    codes = codes_of(every, prepare) if prepare else {}
     for function in every:
         if function in others:
             continue
@@ -149,8 +144,11 @@ def mutants_of(
                 **(more_names or {}),
             }
             ready = prepare(changed) if prepare else changed
-            with suppress(SyntaxError):  # a change that is no Python is nobody's
-                yield mutant, with_changed(reference, every, function, ready, more, codes)
+            try:
+                call = with_changed(reference, every, function, ready, more, codes)
+            except SyntaxError:  # a change that is no Python is nobody's
+                continue
+            yield mutant, call
     arguments = dict(zip(_names(tree_of(reference)), cases[0]["args"], strict=False))
     for name, value in {**arguments, **cases[0].get("kwargs", {})}.items():
         if isinstance(value, np.ndarray | list):

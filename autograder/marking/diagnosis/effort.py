@@ -23,7 +23,7 @@ class Effort:
     def __init__(self, steps: int) -> None:
         self._left = steps
 
-    def allows(self, steps: int) -> bool:
+    def spend(self, steps: int) -> bool:
         """Take some steps; whether there were as many left."""
         self._left -= steps
         return self._left >= 0

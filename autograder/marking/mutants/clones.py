@@ -82,8 +82,17 @@ def with_changed(
     return clones[function]
 
 
-def code_of(tree: ast.FunctionDef, filename: str) -> CodeType:
-    """What a function runs when its definition is this."""
+def codes_of(
+    functions: list[FunctionType], prepare: Callable[[ast.FunctionDef], ast.FunctionDef]
+) -> dict[FunctionType, CodeType]:
+    """What each function runs when its tree was prepared."""
+    return {
+        function: _code_of(prepare(tree_of(function)), function.__code__.co_filename)
+        for function in functions
+    }
+
+
+def _code_of(tree: ast.FunctionDef, filename: str) -> CodeType:
     inner = _compiled(tree, filename).co_consts
     return next(code for code in inner if isinstance(code, CodeType) and code.co_name == tree.name)
 

@@ -14,7 +14,7 @@ DATA = Path("data")
 
 
 def student_notebooks(root: Path) -> list[Path]:
-    """The notebooks of a course as students get them, in the order of the chapters."""
+    """The notebooks of a course as students get them, by name."""
     return sorted((root / NOTEBOOKS).glob("*.ipynb"))
 
 
