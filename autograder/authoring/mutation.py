@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from autograder.authoring.bench import Job, trial_of
 from autograder.authoring.findings import (
     Findings,
     Survivor,
@@ -12,7 +11,8 @@ from autograder.authoring.findings import (
     keep_findings,
     read_findings,
 )
-from autograder.authoring.sharing import share_out
+from autograder.authoring.job_processes import share_out
+from autograder.authoring.proof_job import Job, trial_of
 from autograder.course import Course
 from autograder.course.right_work import right_work_of
 from autograder.marking.mutants.mutant import Mutant

@@ -42,7 +42,7 @@ def add(commands: Commands) -> None:
 def run(parsed: argparse.Namespace, console: Console) -> int:
     """Grade what is at the paths; what was graded before with the same key is not run again."""
     from autograder.cli.grading_run import grade_and_report
-    from autograder.cli.taking_in import take_in_paths
+    from autograder.cli.shared_intake import take_in_paths
     from autograder.gradebook import Gradebook
 
     course = load(parsed)

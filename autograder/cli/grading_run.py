@@ -24,11 +24,11 @@ from autograder.errors import CourseError
 from autograder.gradebook import ClassView, Gradebook, Record, Run, view_class
 from autograder.grading.graded import Graded
 from autograder.grading.journal import Journal
-from autograder.grading.own_numbers import compare_numbers
 from autograder.grading.spread import Spread
 from autograder.grading.threads import Threads
 from autograder.grading.whole_class import grade_class
-from autograder.intake.shelf import Shelf
+from autograder.grading.whose_numbers import compare_numbers
+from autograder.intake.long_list import LongList
 from autograder.intake.submissions import Submission
 from autograder.intake.summary import Summary
 from autograder.intake.times import changed_since, snapshot_class
@@ -55,7 +55,7 @@ def grade_and_report(
     """Grade, show what changed, and (unless it is a dry run) keep it and write the reports."""
     # What is broken is said before anything runs.
     class_list = summary.class_list
-    submissions = Shelf(Submission, (row.submission for row in summary.rows))
+    submissions = LongList(Submission, (row.submission for row in summary.rows))
     Pictures(course)
     _require_packages(course)
     questions = frozenset(course.question(id).id for id in parsed.question or ()) or None

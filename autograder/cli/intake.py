@@ -45,7 +45,7 @@ def add(commands: Commands) -> None:
 
 def run(parsed: argparse.Namespace, console: Console) -> int:
     """Print the table, what was passed over, and the line of truth."""
-    from autograder.cli.taking_in import take_in_paths, unreadable_students
+    from autograder.cli.shared_intake import take_in_paths, unreadable_students
     from autograder.gradebook import Gradebook
     from autograder.reports.terminal import printable, warn
 

@@ -30,10 +30,10 @@ def add(commands: Commands) -> None:
 def run(parsed: argparse.Namespace, console: Console) -> int:
     """Grade again what the gradebook knows; work that has gone keeps its marks, and is named."""
     from autograder.cli.grading_run import grade_and_report
-    from autograder.cli.taking_in import settle
+    from autograder.cli.shared_intake import settle
     from autograder.gradebook import Gradebook, find_record, view_class
     from autograder.gradebook.view import with_people
-    from autograder.intake.shelf import Shelf
+    from autograder.intake.long_list import LongList
     from autograder.intake.submissions import Submission
     from autograder.reports.terminal import warn
 
@@ -45,7 +45,7 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
         if parsed.students:
             records, _ = with_people(book.records(), class_list)
             chosen = [find_record(records, student) for student in parsed.students]
-        remaining: Shelf[Submission] = Shelf(Submission)
+        remaining: LongList[Submission] = LongList(Submission)
         for record in chosen:
             submission = record.graded.submission
             if submission.path.exists():

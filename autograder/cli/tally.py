@@ -6,7 +6,7 @@ from autograder.gradebook import Gradebook
 from autograder.gradebook.changes import Change, changes_of
 from autograder.grading.graded import Graded
 from autograder.grading.journal import STOPPED_THE_GRADER
-from autograder.intake.shelf import Shelf
+from autograder.intake.long_list import LongList
 
 
 class Tally:
@@ -17,10 +17,10 @@ class Tally:
 
     def __init__(self, book: Gradebook) -> None:
         self._book = book
-        self.students: Shelf[str] = Shelf(str)
+        self.students: LongList[str] = LongList(str)
         self.unreadable: set[str] = set()
         self.passed_by: list[str] = []  # what stopped the grader itself
-        self.changed: Shelf[Change] = Shelf(Change)
+        self.changed: LongList[Change] = LongList(Change)
         self.earned: dict[str, float] = {}
 
     @property

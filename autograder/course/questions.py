@@ -8,8 +8,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
-from autograder.course.draws import DRAW, FIELD, drawn, read_draws
 from autograder.course.filling import fill
+from autograder.course.selections import DRAW, FIELD, drawn, read_draws
 from autograder.kinds.question import Question
 from autograder.kinds.registry import has_kind, kind_named, kind_names
 from autograder.kinds.strict import Place, Table, read_table

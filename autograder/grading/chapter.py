@@ -10,11 +10,11 @@ from dataclasses import dataclass, field, replace
 
 from autograder.course import Chapter, Course
 from autograder.course.questions import Question
+from autograder.exchange.exception_text import in_words
 from autograder.exchange.messages import Evaluation, Message, Outcome, Told
 from autograder.exchange.reasons import REASONS
 from autograder.exchange.replies import NOT_PLAIN
-from autograder.exchange.told import in_words
-from autograder.grading.told import defining_cell, import_notes, shown_code
+from autograder.grading.own_exceptions import defining_cell, import_notes, shown_code
 from autograder.intake.submissions import Contents
 from autograder.kinds.drawn import Drawn
 from autograder.kinds.mark import NO_VALUE

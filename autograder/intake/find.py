@@ -20,6 +20,7 @@ from autograder.intake.archive import shown
 from autograder.intake.layouts import LAYOUTS, plain
 from autograder.intake.layouts.layout import Context, Entry, Found, PassedOver, visible
 from autograder.intake.layouts.plain import Verdict
+from autograder.intake.long_list import LongList
 from autograder.intake.origin import Origin
 from autograder.intake.own_files import OWN, is_reports, without_own_files
 from autograder.intake.place import (
@@ -30,7 +31,6 @@ from autograder.intake.place import (
     is_notebook_name,
     is_zip,
 )
-from autograder.intake.shelf import Shelf
 from autograder.intake.submissions import Submission, student_name
 
 LAYOUT_NAMES = (*(layout.name for layout in LAYOUTS), plain.CLASS, plain.ONE)
@@ -44,7 +44,7 @@ _NAMED = 4
 class Intake:
     """What was found: the submissions, what was passed over and why, and how it was read."""
 
-    submissions: Shelf[Submission] = field(default_factory=lambda: Shelf(Submission))
+    submissions: LongList[Submission] = field(default_factory=lambda: LongList(Submission))
     passed_over: list[PassedOver] = field(default_factory=list)
     rules: list[str] = field(default_factory=list)
     warnings: list[str] = field(default_factory=list)
@@ -76,7 +76,7 @@ def take_in(
         groups.setdefault(path.parent, []).append(DiskPlace(path))
     found = [_find_group(places, context, layout) for places in groups.values()]
     rules = list(dict.fromkeys(one.rule for one in found if one.entries))
-    entries = found[0].entries if found else Shelf(Entry)
+    entries = found[0].entries if found else LongList(Entry)
     for other in found[1:]:
         entries += other.entries
     return Intake(
@@ -109,7 +109,7 @@ def _find_group(places: Sequence[Place], context: Context, layout: str | None) -
     parent = first.piece.path.parent
     group = Group(parent.name, places, replace(first.piece, path=parent))
     if layout == plain.ONE:
-        return Found("plain", plain.RULE_ONE, Shelf(Entry, map(plain.one_entry, places)))
+        return Found("plain", plain.RULE_ONE, LongList(Entry, map(plain.one_entry, places)))
     if len(places) > 1:
         return _find(group, context, layout)
     # A single path may have the mark itself, as a student's folder out of a Moodle download has.
@@ -125,21 +125,21 @@ def _find_group(places: Sequence[Place], context: Context, layout: str | None) -
 def _find_single(place: Place, context: Context, layout: str | None) -> Found:
     """A path given by itself: a zip may hold a class."""
     if place.is_link or not (place.is_folder or is_zip(place)):
-        return Found("plain", plain.RULE_ONE, Shelf(Entry, [plain.one_entry(place)]))
+        return Found("plain", plain.RULE_ONE, LongList(Entry, [plain.one_entry(place)]))
     if place.is_folder:
         return _find(place, context, layout)
     if layout is None and plain.is_person(place, context):
-        return Found("plain", plain.RULE_ONE, Shelf(Entry, [plain.one_entry(place)]))
+        return Found("plain", plain.RULE_ONE, LongList(Entry, [plain.one_entry(place)]))
     inside = as_folder_if_readable(place)
     if inside is None:
-        return Found("plain", plain.RULE_ONE, Shelf(Entry, [plain.one_entry(place)]))
+        return Found("plain", plain.RULE_ONE, LongList(Entry, [plain.one_entry(place)]))
     found = _look(inside, context, layout, is_archive=True)
-    return found or Found("plain", plain.RULE_ONE, Shelf(Entry, [plain.one_entry(place)]))
+    return found or Found("plain", plain.RULE_ONE, LongList(Entry, [plain.one_entry(place)]))
 
 
 def _find(folder: Place, context: Context, layout: str | None) -> Found:
     found = _look(folder, context, layout, is_archive=False)
-    return found or Found("plain", plain.RULE_ONE, Shelf(Entry, [plain.one_entry(folder)]))
+    return found or Found("plain", plain.RULE_ONE, LongList(Entry, [plain.one_entry(folder)]))
 
 
 def _look(
@@ -318,7 +318,7 @@ def _beside(folder: Place, found: Found | None, wrapped: Place) -> Found | None:
 
 def _with_unique_keys(
     entries: Sequence[Entry], known: Mapping[tuple[str, str], str]
-) -> Shelf[Submission]:
+) -> LongList[Submission]:
     """Each entry with a key of its own: that of the gradebook, the name, or the name and a number.
 
     Of several with one name those that a system tells apart get its number behind the name; of the
@@ -330,7 +330,7 @@ def _with_unique_keys(
     every_name = set(names) if namesakes or known else set()
     taken = {_digest(key) for key in known.values()}
     used: set[str] = set()
-    submissions: Shelf[Submission] = Shelf(Submission)
+    submissions: LongList[Submission] = LongList(Submission)
     for number, entry in enumerate(entries):
         name = student_name(entry.key)
         same = namesakes.get(_alike(name), {number: entry})

@@ -7,8 +7,8 @@ from dataclasses import dataclass, field, replace
 from datetime import datetime
 
 from autograder.intake.class_list import ClassList
-from autograder.intake.hint import hinted_time
 from autograder.intake.layouts.layout import PassedOver
+from autograder.intake.long_list import LongList
 from autograder.intake.matching import Match
 from autograder.intake.origin import (
     CLASS_LIST,
@@ -19,9 +19,9 @@ from autograder.intake.origin import (
     Origin,
     as_utc_text,
 )
+from autograder.intake.packed_time import hinted_time
 from autograder.intake.person import Person
 from autograder.intake.place import DiskPlace
-from autograder.intake.shelf import Shelf
 from autograder.intake.submissions import Submission
 from autograder.intake.times import doubt, snapshot
 from autograder.language import _, n_
@@ -198,7 +198,7 @@ def summarise(
     matches = {}
     if class_list.students:  # whose one is depends on whose the others may be
         matches = class_list.match_all({entry.student: entry.origin for entry in submissions})
-    rows: Shelf[Row] = Shelf(Row)
+    rows: LongList[Row] = LongList(Row)
     called: set[str] = set()
     for submission in submissions:
         key = submission.student
@@ -251,7 +251,7 @@ def _look_at_times(summary: Summary, trust_times: bool) -> None:
             replace(row, percent=0.0) if row.submission.student in students else row
             for row in summary.rows
         )
-        summary.rows = Shelf(Row, withheld_rows)
+        summary.rows = LongList(Row, withheld_rows)
     marked = [row for row in summary.rows if row.origin.called_late and not _timed(row)]
     if marked:
         summary.warnings.append(

@@ -14,7 +14,7 @@ from datetime import UTC, datetime, timedelta, tzinfo
 from pathlib import Path
 
 from autograder.errors import CourseError
-from autograder.intake.shelf import Shelf
+from autograder.intake.long_list import LongList
 from autograder.intake.tables import column, read_rows, read_text
 
 _MONTHS = {
@@ -178,9 +178,9 @@ def snapshot(paths: Sequence[Path]) -> dict[Path, tuple[int, int]]:
     return seen
 
 
-def snapshot_class(paths: Iterable[Path]) -> Shelf[tuple[Path, tuple[int, int]]]:
+def snapshot_class(paths: Iterable[Path]) -> LongList[tuple[Path, tuple[int, int]]]:
     """As `snapshot`, for the places of a class of any size: each file with its size and time."""
-    seen: Shelf[tuple[Path, tuple[int, int]]] = Shelf(tuple[Path, tuple[int, int]])
+    seen: LongList[tuple[Path, tuple[int, int]]] = LongList(tuple[Path, tuple[int, int]])
     last = None
     for path in paths:
         if path != last:  # what lies in one zip follows each other

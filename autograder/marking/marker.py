@@ -20,8 +20,8 @@ from autograder.kinds.drawn import Drawn
 from autograder.kinds.reading import Reading
 from autograder.kinds.registry import kind_of
 from autograder.marking import Mark
-from autograder.marking.around import around
 from autograder.marking.draw import draw, seed_of_set, set_of_variant
+from autograder.marking.neighbors import around
 
 OTHER_NUMBERS = "right for other numbers"  # the name of the mistake
 MOST_TRIED = 500  # variants that a wrong response is compared with

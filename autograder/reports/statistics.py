@@ -11,7 +11,7 @@ import numpy as np
 from autograder.course import Course
 from autograder.course.questions import Question
 from autograder.gradebook.record import Record
-from autograder.intake.shelf import Shelf
+from autograder.intake.long_list import LongList
 from autograder.kinds.registry import kind_of
 from autograder.language import N_, _
 from autograder.marking import Mark
@@ -225,7 +225,7 @@ class MistakesMade:
 
     def __init__(self, course: Course) -> None:
         self._course = course
-        self._made: dict[tuple[str, str, bool], Shelf[str]] = {}
+        self._made: dict[tuple[str, str, bool], LongList[str]] = {}
 
     def add(self, record: Record) -> None:
         """Take in one submission."""
@@ -239,7 +239,7 @@ class MistakesMade:
             known = kind.known_mistakes(question, mark, drawn)
             for name in known or kind.other_mistakes(question, mark):
                 key = (question.id, name, bool(known))
-                self._made.setdefault(key, Shelf(str)).append(record.student)
+                self._made.setdefault(key, LongList(str)).append(record.student)
 
     def mistakes(self) -> list[Mistake]:
         """All of them, in the order of `common_mistakes`."""

@@ -18,7 +18,7 @@ from autograder.sandbox.stopped import Stopped
 
 if TYPE_CHECKING:
     from autograder.sandbox.host import Host
-    from autograder.sandbox.plain import PlainSession
+    from autograder.sandbox.no_isolation import PlainSession
     from autograder.sandbox.tiers import Tier
 
 __all__ = [
@@ -37,7 +37,7 @@ NO_SANDBOX = "none: a separate process with the instructor's rights (--no-sandbo
 if sys.platform == "linux":
     from autograder.sandbox.session import Session
 else:
-    from autograder.sandbox.plain import PlainSession as Session
+    from autograder.sandbox.no_isolation import PlainSession as Session
 
 
 class Sandbox:
@@ -83,7 +83,7 @@ class Sandbox:
         After ``deadline``, on the monotonic clock, it begins nothing any more.
         """
         if self._plain:
-            from autograder.sandbox.plain import PlainSession
+            from autograder.sandbox.no_isolation import PlainSession
 
             session = cast("Session", PlainSession(self._course, deadline))
         else:

@@ -16,8 +16,8 @@ from autograder.exchange.wire import WireError
 from autograder.sandbox import bubblewrap, landlock, seccomp
 from autograder.sandbox.failure import SandboxError
 from autograder.sandbox.host import Host, HostError, limits
+from autograder.sandbox.machine_limits import require_room
 from autograder.sandbox.own_folder import OwnFolder
-from autograder.sandbox.room import require_room
 
 _TRIAL_PROCESSES = 6
 _TRIAL_BOMB = 66  # so many would mean that there is no limit; what the user runs may vary meanwhile

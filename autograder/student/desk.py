@@ -11,10 +11,10 @@ from weakref import WeakSet
 from autograder.course import Course
 from autograder.course.predictions import Guess, Prediction
 from autograder.course.questions import Question
+from autograder.exchange.exception_text import in_words
 from autograder.exchange.messages import Message, Value, Values
 from autograder.exchange.replies import clean_told
 from autograder.exchange.responses import Entry
-from autograder.exchange.told import in_words
 from autograder.kinds.mark import Mark, not_attempted, stopped
 from autograder.kinds.registry import kind_of
 from autograder.language import _

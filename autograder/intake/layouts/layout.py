@@ -10,11 +10,11 @@ from typing import Protocol
 from autograder.course import Settings
 from autograder.intake.archive import shown
 from autograder.intake.handout import Handout
+from autograder.intake.long_list import LongList
 from autograder.intake.origin import Origin, Piece
 from autograder.intake.own_files import SIDE, is_side_file
 from autograder.intake.person import Person
 from autograder.intake.place import Place, is_notebook_name, is_system, is_zip
-from autograder.intake.shelf import Shelf
 
 
 @dataclass(frozen=True)
@@ -57,7 +57,7 @@ class Found:
 
     layout: str = ""
     rule: str = ""
-    entries: Shelf[Entry] = field(default_factory=lambda: Shelf(Entry))
+    entries: LongList[Entry] = field(default_factory=lambda: LongList(Entry))
     passed_over: list[PassedOver] = field(default_factory=list)
     warnings: list[str] = field(default_factory=list)
 

@@ -20,7 +20,7 @@ _BLOCK = 512  # items that are written, and read again, together
 T = TypeVar("T")
 
 
-class Shelf(Sequence[T], Generic[T]):
+class LongList(Sequence[T], Generic[T]):
     """A sequence that grows at its end; all but the last items lie in a file without a name.
 
     The file is one for all shelves, holds only what this process wrote, and is gone with it. Up to
@@ -51,7 +51,7 @@ class Shelf(Sequence[T], Generic[T]):
         for item in items:
             self.append(item)
 
-    def __iadd__(self, items: Iterable[T]) -> Shelf[T]:
+    def __iadd__(self, items: Iterable[T]) -> LongList[T]:
         self.extend(items)
         return self
 
@@ -90,7 +90,7 @@ class Shelf(Sequence[T], Generic[T]):
     __hash__ = None  # type: ignore[assignment]
 
     def __repr__(self) -> str:
-        return f"Shelf({list(self)!r})"
+        return f"LongList({list(self)!r})"
 
     def _write(self, items: list[T]) -> None:
         try:

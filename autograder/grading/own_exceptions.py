@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
+from autograder.exchange.exception_text import missing_module
 from autograder.exchange.messages import Told
-from autograder.exchange.told import missing_module
 from autograder.language import _
 
 LONGEST_CODE = 6000  # characters of a cell that the page of feedback shows

@@ -10,7 +10,7 @@ from multiprocessing.connection import wait
 from pathlib import Path
 from typing import Any
 
-from autograder.authoring.bench import Job, serve
+from autograder.authoring.proof_job import Job, serve
 
 _PATIENCE = 120.0  # seconds without an answer after which a process is ended
 
