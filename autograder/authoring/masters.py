@@ -61,7 +61,7 @@ def read_masters(course: Course) -> list[Master]:
 
     Raises:
         CourseError: if a question or a prediction is asked twice, in the wrong chapter, or never,
-            or if an exercise cell holds anything.
+            if an exercise cell holds anything, or if nobody asks whose numbers a notebook has.
     """
     paths = sorted((course.root / MASTERS).glob("*.py"))
     if not paths:
@@ -75,6 +75,7 @@ def read_masters(course: Course) -> list[Master]:
                 f'give it exactly one cell # %% exercise="{id}".'
             )
     _check_predictions(course, masters)
+    _check_identity(course, masters)
     return masters
 
 
@@ -97,6 +98,16 @@ def _check_predictions(course: Course, masters: list[Master]) -> None:
             raise CourseError(
                 f'{id} is asked for {times} times in {MASTERS}; write predict("{id}") in one cell.'
             )
+
+
+def _check_identity(course: Course, masters: list[Master]) -> None:
+    """Each student has their own numbers only if they say who they are."""
+    if course.personal and course.varied and not any("me" in master.calls for master in masters):
+        raise CourseError(
+            'With variants = "student" somebody must ask students who they are, or all work with '
+            "the sheet's numbers and are marked by others: write me() in a code cell of "
+            f"{MASTERS.as_posix()}/{masters[0].path.name}, above its first question."
+        )
 
 
 def _read_master(course: Course, path: Path) -> Master:
