@@ -36,6 +36,7 @@ def main() -> int:
     parser.add_argument("module", type=Path)
     parser.add_argument("tests", nargs="+")
     parser.add_argument("--quiet", action="store_true", help="only the figures")
+    parser.add_argument("--only", nargs="+", default=[], help="functions, by name; or all")
     parsed = parser.parse_args()
     os.chdir(ROOT)
     sys.path.insert(0, str(ROOT))
@@ -45,10 +46,13 @@ def main() -> int:
         return 2
     seconds = time.process_time() - begin
     module = importlib.import_module(".".join(parsed.module.with_suffix("").parts))
+    tables = made_of_functions(parsed.module)
     tried = lived = 0
     for function, mutant, code in mutants(parsed.module, module):
+        if parsed.only and function.__name__ not in parsed.only:
+            continue
         tried += 1
-        if lives(function, code, parsed.tests, seconds):
+        if lives(function, code, tables, parsed.tests, seconds):
             lived += 1
             if not parsed.quiet:
                 print(f"\n{parsed.module}:{mutant.line} {function.__qualname__}: {mutant.operator}")
@@ -102,14 +106,33 @@ def _object(module: Any, owner: str, name: str) -> FunctionType | None:
     return found if isinstance(found, FunctionType) else None
 
 
-def lives(function: FunctionType, code: CodeType, tests: list[str], seconds: float) -> bool:
-    """Whether the tests pass with another code in a function's place, in a fork."""
+def made_of_functions(path: Path) -> CodeType:
+    """The module's assignments in which its functions are used, such as a table of them."""
+    tree = ast.parse(path.read_text(encoding="utf-8"))
+    names = {node.name for node in tree.body if isinstance(node, ast.FunctionDef)}
+    tree.body = [
+        node
+        for node in tree.body
+        if isinstance(node, ast.Assign | ast.AnnAssign)
+        and any(isinstance(inner, ast.Name) and inner.id in names for inner in ast.walk(node))
+    ]
+    return compile(tree, str(path), "exec", flags=_FUTURE, dont_inherit=True)
+
+
+def lives(
+    function: FunctionType, code: CodeType, tables: CodeType, tests: list[str], seconds: float
+) -> bool:
+    """Whether the tests pass with another code in a function's place, in a fork.
+
+    What the module had made with the function when it was imported is made again.
+    """
     child = os.fork()
     if child == 0:
         limit = int(os.times().user + 5 + 5 * seconds)
         resource.setrlimit(resource.RLIMIT_CPU, (limit, limit))
         try:
             function.__code__ = code
+            exec(tables, function.__globals__)
             os._exit(0 if run(tests) == 0 else 1)
         except BaseException:
             os._exit(1)

@@ -1,6 +1,6 @@
 """The pyproject.toml of a bundle that carries the engine itself, for students or for Gradescope.
 
-What the engine needs stands among the course's own requirements, and the limits come along.
+What the engine needs stands among the course's own requirements, and its settings come along.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from importlib.metadata import PackageNotFoundError, packages_distributions, req
 from pathlib import Path
 
 from autograder.course import Course
-from autograder.course.settings import changed_limits
+from autograder.course.settings import setting_lines
 from autograder.kinds.strict import Table
 
 ENGINE = "course-autograder"
@@ -66,17 +66,10 @@ def bundle_pyproject(course: Course, suffix: str) -> str:
     newest = table.get("tool", {}).get("uv", {}).get("exclude-newer")
     if newest:
         lines += ["", "[tool.uv]", f"exclude-newer = {json.dumps(str(newest))}"]
-    limits = changed_limits(course.settings)
-    kinds = kinds_setting(course)
-    if limits or kinds:
-        settings = [f"{name} = {value}" for name, value in limits.items()]
-        lines += ["", "[tool.autograder]", *settings, *kinds]
+    settings = setting_lines(course.root)
+    if settings:
+        lines += ["", *settings]
     return "\n".join(lines) + "\n"
-
-
-def kinds_setting(course: Course) -> list[str]:
-    """The setting that names the kinds of question which a course brings along, if it does."""
-    return [f"kinds = {json.dumps(course.own_kinds)}"] if course.own_kinds else []
 
 
 def engine_requirements() -> dict[str, list[str]]:

@@ -62,7 +62,8 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
         )
     console.print(
         f"{len(people)} people have places, and neighbours other numbers; {path} is written and "
-        "names nobody. Now: autograder build, then autograder release.",
+        "names nobody. Now: autograder build, then autograder release; whoever has an earlier "
+        "bundle has other numbers in it.",
         markup=False,
         soft_wrap=True,
     )

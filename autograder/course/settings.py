@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 from typing import Annotated, Literal
 
@@ -67,6 +68,21 @@ def changed_limits(settings: Settings) -> dict[str, int | float]:
         for field in msgspec.structs.fields(Settings)
         if isinstance(field.default, int | float) and getattr(settings, field.name) != field.default
     }
+
+
+def setting_lines(root: Path) -> list[str]:
+    """The table ``[tool.autograder]`` for a bundle: what the course at ``root`` has changed in it.
+
+    All of it goes along: with other numbers, another language or other limits than the course's,
+    students would see what the grader does not mean. Empty if the course has changed nothing.
+    """
+    settings = read_settings(root)
+    lines = [
+        f"{field.name} = {json.dumps(getattr(settings, field.name))}"
+        for field in msgspec.structs.fields(settings)
+        if getattr(settings, field.name) != field.default
+    ]
+    return ["[tool.autograder]", *lines] if lines else []
 
 
 def read_settings(root: Path) -> WrittenSettings:

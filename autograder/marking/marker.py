@@ -19,6 +19,7 @@ from autograder.kinds.answer import Answer
 from autograder.kinds.drawn import Drawn
 from autograder.kinds.reading import Reading
 from autograder.kinds.registry import kind_of
+from autograder.language import _
 from autograder.marking import Mark
 from autograder.marking.draw import draw, seed_of_set, set_of_variant
 from autograder.marking.neighbors import around
@@ -173,6 +174,8 @@ class Marker:
             if other.status == "right":
                 numbers = variables.numbers(variant)
                 told = ", ".join(f"{name} = {value:g}" for name, value in numbers.items())
-                feedback = f"That is right for other numbers ({told}); yours stand in the question."
+                feedback = _(
+                    "That is right for other numbers ({numbers}); yours stand in the question."
+                ).format(numbers=told)
                 return replace(mark, alternative=OTHER_NUMBERS, feedback=feedback)
         return None

@@ -11,9 +11,10 @@ from pathlib import Path
 
 from autograder.authoring.build import build_student_notebooks
 from autograder.authoring.practice import PRACTICE, practice_files
-from autograder.authoring.pyproject import bundle_pyproject, kinds_setting
+from autograder.authoring.pyproject import bundle_pyproject
 from autograder.course import Course
 from autograder.course.places import FILE as PLACES
+from autograder.course.settings import setting_lines
 from autograder.errors import CourseError, UsageError
 from autograder.marking.snapshots import SNAPSHOTS
 from autograder.release import practice_workflow
@@ -81,9 +82,8 @@ def release(
             _copy(course.root / file, folder / PRACTICE / file)
         if practised:
             _write(folder / practice_workflow.PATH, practice_workflow.TEXT)
-        if practised and course.own_kinds:
-            text = "\n".join(["[tool.autograder]", *kinds_setting(course)]) + "\n"
-            _write(folder / PRACTICE / "pyproject.toml", text)
+        if practised and (settings := setting_lines(course.root)):
+            _write(folder / PRACTICE / "pyproject.toml", "\n".join(settings) + "\n")
         report("looking for answers")
         found = next(leaks(course, folder, practice), None)
         if found is not None:

@@ -98,6 +98,11 @@ def _ways(course: Course, checked: Collection[str]) -> str:
         if entry.name is not None and entry.id not in checked
     ]
     lines = []
+    if course.personal and course.varied:
+        lines.append(
+            '- `me("Ada Lovelace")`, with your name or number as the class list has it, says who '
+            "you are. Some questions have numbers that are yours alone: say it before you answer."
+        )
     if clicked:
         lines.append(
             f'- `ask("{clicked[0].id}")` shows a question to click on. Your answer is kept as soon '

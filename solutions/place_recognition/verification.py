@@ -76,6 +76,8 @@ def one_of_each_place(x: np.ndarray, y: np.ndarray) -> np.ndarray:
 
 
 def _as_points(descriptors: np.ndarray) -> np.ndarray:
+    if np.ma.is_masked(descriptors):  # the mask would be dropped without a word
+        raise ValueError("Some descriptors are masked: leave these features out.")
     if are_bits(descriptors):
         descriptors = np.unpackbits(descriptors, axis=1)
     return descriptors.astype(np.float32)

@@ -15,6 +15,8 @@ def assign_words(descriptors: np.ndarray, words: np.ndarray) -> np.ndarray:
     the Euclidean distance. Of several words at the same distance the first one counts. No
     descriptors (N = 0) give an empty array.
     """
+    if np.ma.is_masked(descriptors) or np.ma.is_masked(words):  # or the mask would be dropped
+        raise TypeError("Some descriptors or words are masked; leave them out first.")
     # Bytes and halves overflow when squared.
     descriptors, words = np.asarray(descriptors, dtype=float), np.asarray(words, dtype=float)
     # |x - c|² = |x|² - 2 (x·c - |c|²/2), and |x|² is the same for all words c.
@@ -31,6 +33,8 @@ def descend_tree(descriptor: np.ndarray, levels: list[np.ndarray]) -> int:
     the descriptor goes to the nearest child of the node it has reached, by the Euclidean
     distance; of several at the same distance to the first one.
     """
+    if any(np.ma.is_masked(entry) for entry in (descriptor, *levels)):  # as in `assign_words`
+        raise TypeError("The descriptor or the tree has masked numbers; leave them out first.")
     branching = len(levels[0])
     node = 0
     for centers in levels:

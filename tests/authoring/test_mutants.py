@@ -48,6 +48,15 @@ def test_each_operator_makes_its_change(body, mutant):
 def test_docstrings_annotations_and_messages_are_left_alone():
     source = 'def f(a: list[1], b):\n "1 < 2"\n raise ValueError(f"{a - 1}")'
     assert changes(source) == {"'1 < 2' pass"}
+    source = 'def f(a):\n def g(b):\n  "1 < 2"\n  h(b)\n g(a)'
+    assert all("1 < 2" in body for body in changes(source))
+
+
+def test_nothing_is_not_doubled():
+    made = changes("def f(a):\n return a, 0, 0.0, False")
+    assert "return (2 * a, 0, 0.0, False)" in made
+    assert "return (a, 1, 0.0, False)" in made
+    assert not any("2 * 0" in body for body in made)
 
 
 def test_arguments_that_may_be_exchanged_are_not():

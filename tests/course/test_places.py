@@ -26,7 +26,7 @@ CLASS = """Student,ID,SIS User ID,SIS Login ID,Section
 def alone(market: TinyCourse, tmp_path) -> TinyCourse:
     """A course with numbers of everybody's own, and a class list beside it."""
     cells = "".join(f'\n\n# %% exercise="{id}"\n' for id in ("Q7", "Q7.1", "Q7.2"))
-    market.append("notebooks/source/1_kitchen.py", cells)
+    market.append("notebooks/source/1_kitchen.py", "\n\n# %%\nme()\n" + cells)
     (tmp_path / "canvas.csv").write_text(CLASS)
     return market
 

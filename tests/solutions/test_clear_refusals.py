@@ -10,11 +10,14 @@ from solutions.lines.line_extraction import split_and_merge
 from solutions.lines.line_fitting import fit_line, line_covariance
 from solutions.lines.plane_fitting import fit_plane
 from solutions.place_recognition import (
+    Features,
+    VocabularyTree,
     assign_words,
     build_inverted_file,
     count_votes,
     descend_tree,
     extract_features,
+    match_features,
 )
 from solutions.place_recognition.fundamental_matrix import ransac_fundamental
 from solutions.ransac.fast.consensus import ransac_line as all_at_once
@@ -61,6 +64,48 @@ def test_no_other_mask_is_dropped_either():
             look()
     with pytest.raises(ValueError, match="standard deviation"):
         line_covariance(points, 0.1 * weights)
+
+
+@pytest.mark.parametrize("kind", ["f4", "u1"])
+def test_no_masked_descriptor_becomes_a_word(kind):
+    rng = np.random.default_rng(0)
+    descriptors, others = rng.integers(0, 200, (2, 9, 4)).astype(kind)
+    masked = np.ma.array(descriptors)
+    masked[4, 1] = np.ma.masked
+    top, below = others[:2], others[:4]
+    for look in (
+        lambda: assign_words(masked, others),
+        lambda: assign_words(others, masked),
+        lambda: descend_tree(masked[4], [top, below]),
+        lambda: descend_tree(descriptors[0], [np.ma.masked_equal(top, top[1, 1]), below]),
+        lambda: descend_tree(descriptors[0], [top, np.ma.masked_equal(below, below[3, 0])]),
+    ):
+        with pytest.raises(TypeError, match="masked"):
+            look()
+    tree = VocabularyTree(2, 2).fit(others, rng)
+    spots = np.zeros((9, 2), np.float32)
+    for look in (
+        lambda: tree.words(masked),
+        lambda: VocabularyTree(2, 2).fit(masked, rng),
+        lambda: match_features(Features(spots, masked), Features(spots, others)),
+        lambda: match_features(Features(spots, others), Features(spots, masked)),
+    ):
+        with pytest.raises(ValueError, match="Some descriptors are masked: leave these"):
+            look()
+
+
+def test_descriptors_with_a_mask_that_hides_nothing_have_their_words():
+    rng = np.random.default_rng(0)
+    descriptors = rng.normal(size=(20, 4)).astype(np.float32)
+    plain = np.ma.array(descriptors)
+    words = assign_words(descriptors, descriptors[:3]).tolist()
+    assert assign_words(plain, plain[:3]).tolist() == words
+    assert [descend_tree(one, [plain[:3]]) for one in plain] == words
+    tree, same = (
+        VocabularyTree(2, 2).fit(d, np.random.default_rng(1)) for d in (plain, descriptors)
+    )
+    assert tree.fingerprint() == same.fingerprint()
+    assert np.array_equal(tree.words(plain), same.words(descriptors))
 
 
 def test_a_mask_without_a_masked_entry_changes_nothing():

@@ -77,7 +77,9 @@ def test_an_infinite_number_of_samples_fails_only_without_inliers():
         assert success_probability(w, 2, math.inf) == 1.0 - fails
 
 
-@pytest.mark.parametrize("arguments", [(-0.2, 1, 1), (1.2, 2, 1), (0.5, 0, 1), (0.5, 2, -1)])
+@pytest.mark.parametrize(
+    "arguments", [(-0.2, 1, 1), (-0.2, 2, 1), (1.2, 2, 1), (0.5, 0, 1), (0.5, 2, -1)]
+)
 def test_probabilities_out_of_range_are_reported(arguments):
     for probability in (outlier_model_probability, success_probability):
         with pytest.raises(ValueError, match="Needs 0 <= w <= 1"):
@@ -86,7 +88,9 @@ def test_probabilities_out_of_range_are_reported(arguments):
             probability(0.5, 2, math.nan)
 
 
-@pytest.mark.parametrize("arguments", [(0, 0.2, 2), (1, 0.2, 2), (0.9, 1.1, 2), (0.9, 0.2, 0)])
+@pytest.mark.parametrize(
+    "arguments", [(0, 0.2, 2), (1, 0.2, 2), (0.9, 1.1, 2), (0.9, -0.2, 2), (0.9, 0.2, 0)]
+)
 def test_numbers_out_of_range_are_reported(arguments):
     with pytest.raises(ValueError, match="Needs 0 < p < 1"):
         required_iterations(*arguments)

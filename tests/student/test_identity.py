@@ -46,6 +46,9 @@ alternative = [
 ]
 """
 MASTER = """# %%
+me()
+
+# %%
 fish, share = numbers("pond")
 
 # %% exercise="Q1.6"
@@ -123,7 +126,7 @@ def test_no_number_is_written_into_a_notebook_that_goes_to_everybody(pond: Path)
     (pond / "notebooks/source/1_garden.py").write_text(MASTER + others + asked)
     built = reads(build_student_notebooks(load_course())[0].text, 4).cells
     first, cell = built[0].source, {cell.id: cell.source for cell in built}
-    assert "import ask, check, hint, numbers, predict, predicted, progress, submit" in first
+    assert "import ask, check, hint, me, numbers, predict, predicted, progress, submit" in first
     assert cell["Q1-6-question"] == "### Q1.6 · Frogs\n\n*2 points*"
     assert cell["Q1-6-ask"] == 'ask("Q1.6")'
     assert "three" in cell["Q1-3-question"] or "Q1-3-ask" not in cell

@@ -66,7 +66,7 @@ def mark_order(question: Order, answer: OrderAnswer, response: object) -> Mark:
         )
         found = next(filter(None, all_found), None)
         # What the author says about two cards explains no more than that one of them is astray.
-        if mistake is None or (moves > 1 and found is not None):
+        if mistake is None or moves > 1:
             diagnosed = found
         feedback = n_(
             "{count} card would have to move.", "{count} cards would have to move.", moves
@@ -171,7 +171,7 @@ def _exchanges(
 
 
 def _where(card: str, answer: OrderAnswer, texts: dict[str, str]) -> str:
-    """Between which cards a card belongs."""
+    """Between which cards a card belongs that stands on the wrong side of one of them."""
     earlier = {f"“{texts[first]}”": None for first, second in answer.before if second == card}
     later = {f"“{texts[second]}”": None for first, second in answer.before if first == card}
     both = f" {_('and')} "
@@ -179,10 +179,8 @@ def _where(card: str, answer: OrderAnswer, texts: dict[str, str]) -> str:
         said = _("“{card}” comes after {earlier} and before {later}.")
     elif earlier:
         said = _("“{card}” comes after {earlier}.")
-    elif later:
-        said = _("“{card}” comes before {later}.")
     else:
-        return ""
+        said = _("“{card}” comes before {later}.")
     return said.format(card=texts[card], earlier=both.join(earlier), later=both.join(later))
 
 

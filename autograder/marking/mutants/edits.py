@@ -138,14 +138,14 @@ def _edits(node: ast.AST) -> Iterator[tuple[str, Edit]]:
             yield "loop one short", _shortened("[:-1]")
             yield "first turn left out", _shortened("[1:]")
         case ast.Return(value=ast.Tuple(elts=elements)):
-            for place in _not_starred(elements):
+            for place in _to_double(elements):
                 yield "returned element changed", _changed_element("elts", place)
             for place in range(len(elements) - 1):
                 yield "returned elements exchanged", _exchanged_elements(place)
         case ast.Return(value=ast.Call(func=ast.Name(id=name), args=[_, *_] as args)) if name[
             :1
         ].isupper():
-            for place in _not_starred(args):
+            for place in _to_double(args):
                 yield "returned element changed", _changed_element("args", place)
         case ast.Return(value=ast.expr() as value) if not isinstance(value, ast.Constant):
             yield "result changed", _changed_result
@@ -214,9 +214,17 @@ def _shortened(part: str) -> Edit:
     return edit
 
 
-def _not_starred(entries: list[ast.expr]) -> list[int]:
-    """The places of those that are one value, and not ``*several``."""
-    return [i for i, entry in enumerate(entries) if not isinstance(entry, ast.Starred)]
+def _to_double(entries: list[ast.expr]) -> list[int]:
+    """The places of those that are one value, not ``*several``, and no 0, twice which is 0."""
+    return [
+        i
+        for i, entry in enumerate(entries)
+        if not (isinstance(entry, ast.Starred) or _is_zero(entry))
+    ]
+
+
+def _is_zero(entry: ast.expr) -> bool:
+    return isinstance(entry, ast.Constant) and type(entry.value) in (int, float) and not entry.value
 
 
 def _is_endless(iterated: ast.expr) -> bool:
@@ -279,15 +287,15 @@ class _Replace(ast.NodeTransformer):
 
 
 def _not_run(function: Function) -> set[ast.AST]:
-    """What a mutant leaves alone: docstring, annotations, decorators, and what messages say."""
+    """What a mutant leaves alone: docstrings, annotations, decorators, and what messages say."""
     left: list[ast.AST] = [*function.decorator_list]
-    if _has_docstring(function):
-        left.append(function.body[0])
     arguments = function.args
     every = (*arguments.posonlyargs, *arguments.args, *arguments.kwonlyargs)
     left += [entry.annotation for entry in every if entry.annotation is not None]
     left += [function.returns] if function.returns is not None else []
     for node in ast.walk(function):
+        if isinstance(node, ast.FunctionDef) and _has_docstring(node):
+            left.append(node.body[0])
         if isinstance(node, ast.JoinedStr):
             left.append(node)
         if isinstance(node, ast.AnnAssign):

@@ -14,6 +14,7 @@ from pathlib import Path
 
 from autograder.authoring.pyproject import bundle_pyproject
 from autograder.course import Course
+from autograder.course.places import FILE as PLACES
 from autograder.gradebook.record import Record
 from autograder.release.files import grader_files
 from autograder.release.gradescope.results import results
@@ -64,6 +65,8 @@ def write_autograder_zip(path: Path, course: Course, explanations: bool = False)
         for name, file in grader_files(course):
             _add(archive, f"course/{name}", file.read_bytes(), 0o644)
         _add(archive, "course/pyproject.toml", bundle_pyproject(course, "-grader").encode(), 0o644)
+        if course.personal and course.places is not None:
+            _add(archive, f"course/{PLACES}", course.places.text().encode(), 0o644)
     os.replace(unfinished, path)
 
 

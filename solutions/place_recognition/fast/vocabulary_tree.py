@@ -61,8 +61,8 @@ class VocabularyTree:
         them decides. Raises ValueError for descriptors that are none; the tree then stays as
         it was.
         """
-        descriptors = np.asarray(descriptors)
         points = _as_points(descriptors)
+        descriptors = np.asarray(descriptors)
         if len(points) == 0:
             raise ValueError("There are no descriptors to learn words from.")
         self.binary = are_bits(descriptors)
@@ -95,8 +95,8 @@ class VocabularyTree:
         self._check_fitted()
         if descriptors is None or len(descriptors) == 0:
             return np.zeros(0, dtype=np.intp)
-        descriptors = np.asarray(descriptors)
         points = _as_points(descriptors)
+        descriptors = np.asarray(descriptors)
         dimension = self._centers[0].shape[-1]
         binary = are_bits(descriptors)
         if points.shape[1] != dimension or binary != self.binary:
@@ -184,6 +184,8 @@ def _groups(node: np.ndarray) -> Iterator[tuple[int, np.ndarray]]:
 
 def _as_points(descriptors: np.ndarray) -> np.ndarray:
     """Return (N, d) float32 points, or say what is wrong with the descriptors."""
+    if np.ma.is_masked(descriptors):  # the mask would be dropped without a word
+        raise ValueError("Some descriptors are masked: leave these features out.")
     descriptors = np.asarray(descriptors)
     if descriptors.ndim != 2:
         raise ValueError(f"The descriptors must be an (N, d) array, not {descriptors.shape}.")
