@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
+import hypothesis
 import pytest
 
 
@@ -29,22 +30,52 @@ def pytest_runtest_setup(item: pytest.Item) -> None:
 
 
 @pytest.hookimpl(optionalhook=True)
-def pytest_xdist_auto_num_workers() -> int:
-    """Two workers for each processor: half of the time a test waits for processes or a browser."""
-    return 2 * (os.cpu_count() or 1)
+def pytest_xdist_auto_num_workers(config: pytest.Config) -> int:
+    """Two workers for each processor: half of the time a test waits for processes or a browser.
+
+    What is quick waits for nothing.
+    """
+    return (1 if config.option.markexpr == "quick" else 2) * (os.cpu_count() or 1)
 
 
+_HERE = Path(__file__).parent
 # Rooms whose tests start no process, and what in them is an exception: `pytest -m quick`.
 _QUICK = {"course", "data", "gradebook", "kinds", "marking", "student"}
 _NOT_QUICK = {
     "test_a_kind_from_outside.py",
+    "test_check.py",
+    "test_course_path.py",
     "test_broken_gradebooks.py",
     "test_expression_values.py",
     "test_front_ends.py",
     "test_hostile_responses.py",
+    "test_identity.py",
     "test_marker_process.py",
+    "test_practice.py",
+    "test_rescue.py",
+    "test_responses.py",
+    "test_submission.py",
+    "test_true_false_and_order.py",
     "test_unreadable_files.py",
+    "test_what_is_left.py",
+    "test_widgets_without_a_browser.py",
 }
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Where only quick tests are asked for, look at fewer examples of what is drawn."""
+    if config.option.markexpr == "quick":
+        hypothesis.settings.register_profile("quick", max_examples=15)
+        hypothesis.settings.load_profile("quick")
+
+
+def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
+    """Where only quick tests are asked for, the others need not even be read."""
+    if config.option.markexpr != "quick" or not collection_path.is_relative_to(_HERE):
+        return None
+    room = collection_path.relative_to(_HERE).parts[:2]
+    in_tests = room[:1] in ((), ("tests",)) and (len(room) < 2 or room[1] in _QUICK)
+    return None if in_tests and collection_path.name not in _NOT_QUICK else True
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:

@@ -22,6 +22,7 @@ from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
 from autograder import __all__
 from autograder.authoring.executed import Executed
 from autograder.authoring.masters import Master, MasterCell, read_masters
+from autograder.authoring.raised import raised
 from autograder.course import DEMO, Course
 from autograder.course.folders import NOTEBOOKS, SOLVED, cell_id
 from autograder.errors import CourseError
@@ -76,7 +77,7 @@ def build_solved_notebooks(
     each notebook's name before it runs.
 
     Raises:
-        CourseError: if a cell raises; the sentence names the notebook and the exception.
+        CourseError: if a cell raises; the sentence says where in the master, and what.
     """
     built = []
     executed = Executed(course)
@@ -86,7 +87,7 @@ def build_solved_notebooks(
         known = executed.take_outputs(notebook, master.chapter, master.stem, course.root / path)
         if not known:
             before(master.stem)
-            _execute(notebook, course, master.stem)
+            _execute(notebook, course, master)
         written = _written(course, path, notebook)
         if not known:
             executed.remember(notebook, master.chapter, master.stem, written.text)
@@ -188,7 +189,7 @@ def _cell_id(cell: MasterCell, taken: Counter[str]) -> str:
     return name if taken[name] == 1 else f"{name}-{taken[name]}"
 
 
-def _execute(notebook: Any, course: Course, stem: str) -> None:
+def _execute(notebook: Any, course: Course, master: Master) -> None:
     folder = course.root / SOLVED
     folder.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as responses:
@@ -208,13 +209,21 @@ def _execute(notebook: Any, course: Course, stem: str) -> None:
         try:
             # The kernel's own warnings concern its ports, not the author.
             client.execute(env=environment, stderr=subprocess.DEVNULL)
-        except CellExecutionError as error:
-            raise CourseError(f"The solved {stem} raises {error.ename}: {error.evalue}.") from None
+        except CellExecutionError:
+            cell = next(c for c in notebook.cells if _raised(c))
+            of_exercises = {
+                cell_id(id, part): id for id in course.questions for part in ("response", "check")
+            }
+            raise CourseError(raised(master, cell, of_exercises.get(cell.id))) from None
     notebook.metadata = nbformat.from_dict(_KERNEL)  # without this machine's Python version
     for cell in notebook.cells:
         cell.metadata.pop("execution", None)
         if cell.cell_type == "code":
             cell.outputs = [kept for output in cell.outputs if (kept := _without_images(output))]
+
+
+def _raised(cell: Any) -> bool:
+    return any(output.output_type == "error" for output in cell.get("outputs", ()))
 
 
 def _without_images(output: Any) -> object:

@@ -3,16 +3,21 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from dataclasses import dataclass
+from difflib import get_close_matches
 from pathlib import Path
 
 import jupytext
 
 from autograder.course import Chapter, Course
-from autograder.course.folders import MASTERS
+from autograder.course.folders import MASTERS, SOLUTIONS
 from autograder.errors import CourseError, UsageError
 
 _CALL = re.compile(r"(?<![\w.])(\w+)\(")
+_TELLS = re.compile(r"""(?<![\w.])numbers\(\s*["']([^"']*)["']""")
+_OF_THE_KEY = re.compile(rf"^[ \t]*(?:from|import)[ \t]+{SOLUTIONS.name}\b", re.MULTILINE)
+_MARKS = ("exercise", "demo")
 _ASKS = re.compile(r"""\bpredict\(\s*["']([^"']*)["']""")
 
 
@@ -43,6 +48,10 @@ class Master:
         """The notebook's file name without its ending, such as ``3_ransac``."""
         return self.path.stem
 
+    def where(self, sought: str, further: int = 0) -> str:
+        """The file, and the line where a text stands for the first time, or so many lines on."""
+        return _where(self.path, self.path.read_text(encoding="utf-8"), sought, further)
+
     @property
     def calls(self) -> set[str]:
         """The names of the functions that its cells call."""
@@ -54,6 +63,12 @@ class Master:
         """The ids of what is to be predicted in it."""
         code = (cell.source for cell in self.cells if cell.kind == "code")
         return [id for source in code for id in _ASKS.findall(source)]
+
+    @property
+    def stories(self) -> list[str]:
+        """The names of the stories whose numbers it reads."""
+        code = (cell.source for cell in self.cells if cell.kind == "code")
+        return [name for source in code for name in _TELLS.findall(source)]
 
 
 def read_masters(course: Course) -> list[Master]:
@@ -75,6 +90,7 @@ def read_masters(course: Course) -> list[Master]:
                 f'give it exactly one cell # %% exercise="{id}".'
             )
     _check_predictions(course, masters)
+    _check_stories(course, masters)
     _check_identity(course, masters)
     return masters
 
@@ -84,13 +100,13 @@ def _check_predictions(course: Course, masters: list[Master]) -> None:
     for id, master in asked:
         if id not in course.predictions:
             raise CourseError(
-                f"{master.path.name} asks for the prediction {id!r}, which is in no file of "
+                f"{master.where(id)} asks for the prediction {id!r}, which is in no file of "
                 "notebooks/questions."
             )
         chapter = course.predictions[id].chapter
         if master.chapter is None or master.chapter.name != chapter:
             raise CourseError(
-                f"{master.path.name} asks for {id}, which belongs to {chapter}; move it."
+                f"{master.where(id)} asks for {id}, which belongs to {chapter}; move it."
             )
     for id in course.predictions:
         times = [other for other, _ in asked].count(id)
@@ -98,6 +114,21 @@ def _check_predictions(course: Course, masters: list[Master]) -> None:
             raise CourseError(
                 f'{id} is asked for {times} times in {MASTERS}; write predict("{id}") in one cell.'
             )
+
+
+def _check_stories(course: Course, masters: list[Master]) -> None:
+    told = {
+        str(written.table["story"]): None
+        for written in course.varied.values()
+        if "story" in written.table
+    }
+    for master in masters:
+        for name in master.stories:
+            if name not in told:
+                raise CourseError(
+                    f"{master.where(f'numbers({chr(34)}{name}')} reads the numbers of {name!r}; "
+                    f"the stories that questions tell are {', '.join(told) or 'none'}."
+                )
 
 
 def _check_identity(course: Course, masters: list[Master]) -> None:
@@ -113,25 +144,49 @@ def _check_identity(course: Course, masters: list[Master]) -> None:
 def _read_master(course: Course, path: Path) -> Master:
     name = path.stem.partition("_")[2]
     chapter = next((chapter for chapter in course.chapters if chapter.name == name), None)
-    notebook = jupytext.read(path, fmt="py:percent")
+    text = path.read_text(encoding="utf-8")
+    notebook = jupytext.reads(text, fmt="py:percent")
     cells = []
     for cell in notebook.cells:
+        _check_marks(path, text, cell.metadata)
         exercise = cell.metadata.get("exercise")
         if exercise is not None:
+            where = _where(path, text, f'exercise="{exercise}"')
             try:
                 question = course.question(exercise)
             except UsageError:
                 raise CourseError(
-                    f"{path.name} asks {exercise!r}, which is in no file of notebooks/questions."
+                    f"{where} asks {exercise!r}, which is in no file of notebooks/questions."
                 ) from None
             if chapter is None or question.chapter != chapter.name:
                 raise CourseError(
-                    f"{path.name} asks {exercise}, which belongs to {question.chapter}; move it."
+                    f"{where} asks {exercise}, which belongs to {question.chapter}; move it."
                 )
             if cell.source.strip():
-                raise CourseError(
-                    f"The exercise {exercise} in {path.name} holds code; leave its cell empty."
-                )
+                raise CourseError(f"{where}: the exercise {exercise} holds code; leave it empty.")
+        elif cell.cell_type == "code" and (found := _OF_THE_KEY.search(cell.source)):
+            raise CourseError(
+                f"{_where(path, text, found[0])} imports {SOLUTIONS.name}, which students do not "
+                "get; move what notebooks need to a package beside them, or to data."
+            )
         demo = cell.metadata.get("demo") is True
         cells.append(MasterCell(cell.cell_type, cell.source, exercise, demo))
     return Master(path, chapter, tuple(cells))
+
+
+def _check_marks(path: Path, text: str, metadata: Iterable[str]) -> None:
+    """Whether what stands behind ``# %%`` is an exercise or a demo, if it looks like one."""
+    for mark in metadata:
+        near = get_close_matches(mark, _MARKS, 1, 0.75)
+        if near and mark not in _MARKS:
+            raise CourseError(
+                f"{_where(path, text, mark)} marks a cell by {mark!r}; "
+                f"perhaps {near[0]!r} is meant."
+            )
+
+
+def _where(path: Path, text: str, sought: str, further: int = 0) -> str:
+    """A master, and the line in it where a text stands for the first time, if it is there."""
+    before, found, _ = text.partition(sought)
+    line = f", line {before.count(chr(10)) + 1 + further}" if found else ""
+    return f"{MASTERS.as_posix()}/{path.name}{line}"

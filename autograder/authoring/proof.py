@@ -1,6 +1,7 @@
 """``autograder check``: the course proves itself.
 
-What is proven: every question is asked once and has a key; the solved notebooks earn every point
+What is proven: every question is asked once and has a key; its texts
+say what was typed; its reference runs on every case; the solved notebooks earn every point
 and the untouched ones none; each known mistake is told apart from the right response and from the
 other mistakes by the very inputs that grade; each mutant of what is right loses credit, and right
 work in other clothes earns all; what a docstring promises to raise is asked for; no answer stands
@@ -16,6 +17,7 @@ from pathlib import Path
 
 from autograder.authoring.build import build_student_notebooks, unexecuted_solved_notebooks
 from autograder.authoring.proof_by_mutants import prove_by_mutants, untested_promises
+from autograder.authoring.proof_of_texts import prove_texts
 from autograder.authoring.proof_of_variants import prove_variants
 from autograder.course import Course, load_course
 from autograder.course.answers import Answer
@@ -25,6 +27,7 @@ from autograder.errors import AutograderError
 from autograder.grading.submission import grade_contents
 from autograder.intake.submissions import Contents, Notebook
 from autograder.kinds.registry import kind_of
+from autograder.kinds.toml_lines import line_of
 from autograder.marking.marker import Marker
 from autograder.sandbox.launcher import Sandbox
 
@@ -50,13 +53,14 @@ def prove_course(
         solved, untouched = unexecuted_solved_notebooks(course), build_student_notebooks(course)
     except AutograderError as error:
         return [str(error)]
-    problems = [*_misplaced_files(course)]
+    problems = [*_misplaced_files(course), *prove_texts(course)]
     report("mistakes")
     for question in course.questions.values():
         try:
-            problems += _prove_answer(course, question, key[question.id])
+            found = [*_prove_answer(course, question, key[question.id])]
         except AutograderError as error:
-            problems.append(f"{question.id}: {error}")
+            found = [f"{question.id}: {error}"]
+        problems += [_with_line(course, question, problem) for problem in found]
     if problems:
         return problems
     if course.varied:
@@ -109,18 +113,35 @@ def _prove_answer(course: Course, question: Question, answer: Answer) -> Iterato
     found: dict[str, None] = {}  # a problem that several draws show is told once
     for seed in SEEDS:
         marker = Marker(course, seed)
+        for problem in kind.unsound(question, answer, marker.drawn(question.id), course.root):
+            found[f"{question.id}: {problem}"] = None
         for alternative in answer.alternatives:
             response = kind.response_like(question, alternative, marker.drawn(question.id))
             if response is None:
                 continue
             mark = marker.mark(question.id, response)
             if mark.alternative != alternative.name:
+                taken = f"taken for {mark.alternative!r}" if mark.alternative else "not recognised"
                 found[
-                    f"{question.id}: the alternative {alternative.name!r} is taken for "
-                    f"{mark.alternative!r} and gets {mark.credit:g} credit; "
+                    f"{question.id}: the alternative {alternative.name!r} is {taken} "
+                    f"and gets {mark.credit:g} credit; "
                     "correct it, or choose inputs that tell the two apart."
                 ] = None
     yield from found
+
+
+def _with_line(course: Course, question: Question, problem: str) -> str:
+    """A problem of a key with the line that it quotes something of, or with that of its table."""
+    file = (ANSWERS / f"{question.chapter}.toml").as_posix()
+    text, tables = course.answer_tables[question.chapter]
+    first = line_of(text, (question.id,))
+    if first is None or file in problem:
+        return problem
+    begins = [line for id in tables if (line := line_of(text, (id,))) and line > first]
+    lines = text.splitlines()[first - 1 : min(begins, default=None)]
+    quoted = re.findall(r"'([^']+)'", problem)
+    at = next((n for one in quoted for n, line in enumerate(lines) if f'"{one}"' in line), 0)
+    return f"{problem.rstrip('.')} ({file}, line {first + at})."
 
 
 def _misplaced_files(course: Course) -> Iterator[str]:

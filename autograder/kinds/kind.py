@@ -221,6 +221,10 @@ class Kind(ABC, Generic[Q, A]):
         """What is wrong with a key that can be read, beyond what marking would show."""
         yield from ()
 
+    def unsound(self, question: Q, answer: A, drawn: Drawn, root: Path) -> Iterator[str]:
+        """What is wrong with what was drawn, though no mark would show it."""
+        yield from ()
+
     def response_like(self, question: Q, alternative: Alternative, drawn: Drawn) -> object:
         """A response that is this alternative, as `mark` takes it; None if there is none."""
         return None

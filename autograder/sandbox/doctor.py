@@ -70,7 +70,9 @@ def run_doctor(course: Course) -> list[Finding]:
 def _parts() -> list[Finding]:
     """What the kinds of isolation are made of."""
     from autograder.sandbox import bubblewrap, landlock, seccomp
+    from autograder.sandbox.control_group import parent_group
 
+    groups = parent_group()
     program = bubblewrap.find_bubblewrap()
     version = landlock.version()
     known = seccomp.build_filter() is not None
@@ -93,6 +95,17 @@ def _parts() -> list[Finding]:
             "There is a filter for this processor."
             if known
             else f"There is no filter for {platform.machine()}.",
+        ),
+        Finding(
+            "control groups",
+            groups is not None,
+            f"Each sandbox gets one of its own, below {groups}."
+            if groups
+            else "None with limits can be made here; the other limits hold without.",
+            ""
+            if groups
+            else "Where systemd runs: systemd-run --user --scope -p Delegate=yes "
+            "autograder grade ...",
         ),
     ]
 

@@ -23,6 +23,7 @@ from autograder.exchange.channel import Channel
 from autograder.exchange.messages import Message
 from autograder.sandbox import bubblewrap, landlock, seccomp
 from autograder.sandbox.bytecode import stale_modules
+from autograder.sandbox.control_group import ControlGroup
 from autograder.sandbox.identity import OwnIdentity
 from autograder.sandbox.own_folder import OwnFolder
 
@@ -56,12 +57,15 @@ class Host:
         self._own_folder = OwnFolder()
         self._folder = self._own_folder.path
         self._scratch: Path | None = None  # where student code may write on this machine's disk
+        self._group = ControlGroup(settings)
+        self._ended_before = 0  # by the kernel, for memory, in notebooks before this one
         try:
             stage(root, self._folder)
             compile_libraries()
             start = self._start_inside if with_namespaces else self._start_beside
             self._process, self._control = start(root)
         except BaseException as error:
+            self._group.remove()
             self._own_folder.remove()
             self._own_identity.release()
             if isinstance(error, OSError | MemoryError | RuntimeError):
@@ -96,6 +100,7 @@ class Host:
         self.wait_until_ready()
         self._require_room()
         self._number += 1
+        self._ended_before = self._group.ended_for_memory()
         self._gone: Message | None = None
         try:
             ours, theirs = socket.socketpair()
@@ -166,11 +171,18 @@ class Host:
         raise HostError("The sandbox does not answer.")
 
     def why_gone(self, seconds: float) -> str | None:
-        """Why the child ended by itself, if the zygote says so within some time."""
+        """Why the child ended by itself, if the kernel or the zygote says so within some time."""
+        if self._group.ended_for_memory() > self._ended_before:
+            return f"it used more than {self._settings.memory_mb} MB of memory"
         message = self._gone or self._hear(time.monotonic() + seconds)
         if message is not None and message.get("gone") == self._number:
             return str(message["why"])
         return None
+
+    @property
+    def has_control_group(self) -> bool:
+        """Whether the kernel counts what everything in here uses together."""
+        return self._group.path is not None
 
     @property
     def control(self) -> socket.socket:
@@ -189,6 +201,7 @@ class Host:
                 os.killpg(self._process.pid, signal.SIGKILL)
             self._process.wait()
         self._control.close()
+        self._group.remove()
         self._own_folder.remove()
         self._own_identity.release()
 
@@ -342,12 +355,9 @@ class Host:
     ) -> tuple[subprocess.Popen[bytes], socket.socket]:
         ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
         with theirs, open(self._folder / "errors", "wb") as errors:
+            zygote = [sys.executable, "-P", "-m", "autograder.sandbox.inside.zygote"]
             process = subprocess.Popen(
-                [
-                    *prefix,
-                    *(sys.executable, "-P", "-m", "autograder.sandbox.inside.zygote"),
-                    str(theirs.fileno()),
-                ],
+                self._group.joining([*prefix, *zygote, str(theirs.fileno())]),
                 stdin=subprocess.DEVNULL,
                 stdout=subprocess.DEVNULL,
                 stderr=errors,

@@ -182,7 +182,7 @@ class Tier:
         if self.problem:
             self.stop_unused()
             return False
-        self.text = describe(self.with_namespaces)
+        self.text = describe(self.with_namespaces, self._started[-1].has_control_group)
         self.seconds = time.monotonic() - began
         return True
 
@@ -205,11 +205,14 @@ def parts(with_namespaces: bool) -> tuple[str, ...]:
     return tuple(part for part, here in zip(_PARTS, works, strict=True) if here)
 
 
-def describe(with_namespaces: bool) -> str:
+def describe(with_namespaces: bool, has_control_group: bool) -> str:
     """What keeps student code in, and what is missing."""
-    there = parts(with_namespaces)
+    there = list(parts(with_namespaces))
     missing = [lost for part, lost in _PARTS.items() if part not in there]
-    text = ", ".join(there) + " and process limits"
+    there.append("process limits")
+    if has_control_group:
+        there.append("a control group")
+    text = f"{', '.join(there[:-1])} and {there[-1]}"
     return text + (f"; missing: {' and '.join(missing)}" if missing else "")
 
 

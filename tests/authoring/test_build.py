@@ -203,14 +203,32 @@ def test_a_solved_notebook_is_executed_and_keeps_text_but_no_picture(tiny_course
     assert "image/png" not in notebook.text
 
 
-def test_a_solved_notebook_that_raises_is_said_with_its_name(tiny_course):
+RAISING_CELLS = {
+    "x = 1\n1 / 0": "line 3 raises ZeroDivisionError: division by zero: 1 / 0",
+    "x = 1\nprint(x": r"line 3 raises SyntaxError: .*: print\(x",
+    "import cheesemaking": (
+        "line 2 raises ModuleNotFoundError: No module named 'cheesemaking'; install cheesemaking, "
+        "and name it among the dependencies in pyproject.toml, .*: import cheesemaking"
+    ),
+    "import data.cheese": "line 2 raises ModuleNotFoundError: No module named 'data.*': import",
+}
+
+
+@pytest.mark.parametrize("cell", RAISING_CELLS)
+def test_a_cell_that_raises_is_told_by_its_line_in_the_master(tiny_course, cell):
     (tiny_course.root / "notebooks/source/2_cellar.py").write_text(
-        '# %%\n1 / 0\n\n# %% exercise="Q2.1"\n'
+        f'# %%\n{cell}\n\n# %% exercise="Q2.1"\n'
     )
     (tiny_course.root / "notebooks/source/1_kitchen.py").rename(
         tiny_course.root / "notebooks/source/3_kitchen.py"
     )
-    with pytest.raises(CourseError, match="The solved 2_cellar raises ZeroDivisionError"):
+    with pytest.raises(CourseError, match=f"notebooks/source/2_cellar.py, {RAISING_CELLS[cell]}"):
+        build_solved_notebooks(tiny_course.load())
+
+
+def test_a_solved_cell_that_raises_is_told_by_its_question(tiny_course):
+    tiny_course.replace("solutions/answers/kitchen.toml", 'code = "3 * 4"', 'code = "3 * four"')
+    with pytest.raises(CourseError, match=r"cell of Q1.3 in 1_kitchen.py raises NameErr"):
         build_solved_notebooks(tiny_course.load())
 
 
@@ -226,7 +244,22 @@ MASTER_MISTAKES = {
     "an exercise that holds code": (
         '# %% exercise="Q1.3"',
         '# %% exercise="Q1.3"\neggs = 12',
-        "Q1.3 in 1_kitchen.py holds code",
+        "notebooks/source/1_kitchen.py, line [0-9]+: the exercise Q1.3 holds code",
+    ),
+    "a mark that is misspelt": (
+        'exercise="Q1.3"',
+        'excercise="Q1.3"',
+        "line [0-9]+ marks a cell by 'excercise'; perhaps 'exercise' is meant",
+    ),
+    "the key in a notebook": (
+        '# %% exercise="Q1.3"',
+        '# %%\nfrom solutions import kitchen\n\n# %% exercise="Q1.3"',
+        "line [0-9]+ imports solutions, which students do not get",
+    ),
+    "the numbers of no story": (
+        '# %% exercise="Q1.3"',
+        '# %%\nboxes = numbers("shelf")\n\n# %% exercise="Q1.3"',
+        "line [0-9]+ reads the numbers of 'shelf'; the stories that questions tell are none",
     ),
 }
 

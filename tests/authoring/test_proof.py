@@ -54,6 +54,31 @@ FOUND_IN_THE_FILES: dict[str, tuple[str, str, str, str]] = {
     "a duplicate id": (QUESTIONS, 'id = "Q1.3"', 'id = "Q1.4"', "Two questions have the id Q1.4"),
     "an empty hint": (QUESTIONS, '["Walk around it."]', '[""]', "'Q1.4'"),
     "a missing answer": (ANSWERS, '["Q1.1"]', '["Q1.9"]', "Q1."),
+    "a backslash that TOML took": (
+        QUESTIONS,
+        '["Walk around it."]',
+        '["Walk by $\\theta$."]',
+        "line 46: a text in double quotes reads \\t as a sign of its own: write \\\\theta with two",
+    ),
+    "a backslash that TOML took in the key": (
+        ANSWERS,
+        "Two sides of either length.",
+        "Half is $\\frac{1}{2}$.",
+        "write \\\\frac with two backslashes",
+    ),
+    "a reference that calls what is not there": (
+        "solutions/kitchen.py",
+        "return total / len(weights)",
+        "return totl / len(weights)",
+        "Q1.5: the reference raises NameError for 'two equal weights', 'many weights'",
+    ),
+    "a case with too few arguments": (
+        "solutions/kitchen.py",
+        '"args": [[3.0, 3.0]]',
+        '"args": []',
+        "Q1.5: the case 'two equal weights' cannot be given to the reference: missing a required "
+        "argument: 'weights'",
+    ),
     "a question never asked": (MASTER, '# %% exercise="Q1.3"\n', "", "Q1.3 is asked 0 times"),
     "no second mistake": (
         ANSWERS,
@@ -133,7 +158,7 @@ FOUND_IN_THE_FILES: dict[str, tuple[str, str, str, str]] = {
         ANSWERS,
         '"solutions.kitchen:total_weight"',
         '"solutions.kitchen:gross_weight"',
-        "'solutions.kitchen:gross_weight', which cannot be loaded",
+        "'solutions.kitchen:gross_weight' in solutions/answers/kitchen.toml, line",
     ),
     "cases that are no list": (
         "solutions/kitchen.py",

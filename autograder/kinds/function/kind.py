@@ -20,6 +20,7 @@ from autograder.kinds.function.marking import mark_function
 from autograder.kinds.function.promises import promises
 from autograder.kinds.function.question import Function
 from autograder.kinds.function.reading import draw_reading
+from autograder.kinds.function.reference_failures import reference_failures
 from autograder.kinds.function.stub import function_stub, reference_source
 from autograder.kinds.function.take_snapshot import take_snapshot
 from autograder.kinds.function.trial import FunctionTrial
@@ -115,6 +116,11 @@ class FunctionKind(CodeKind[Function, FunctionAnswer]):
         for entry in answer.alternatives:
             if not entry.is_mistake:
                 yield f"the mistake {entry.name!r} gets full credit; lower it."
+
+    def unsound(
+        self, question: Function, answer: FunctionAnswer, drawn: Drawn, root: Path
+    ) -> Iterator[str]:
+        return reference_failures(load_object(answer.reference, root), drawn.expected)
 
     def response_like(self, question: Function, alternative: Alternative, drawn: Drawn) -> object:
         outcomes = {entry.name: found for entry, found in drawn.expected.mistakes}

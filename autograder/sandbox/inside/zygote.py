@@ -48,6 +48,7 @@ from autograder.sandbox.removal import empty
 from autograder.sandbox.stopped import BY_SIGNAL
 
 _CONFINED = b"confined"
+_ZYGOTE_IS_TAKEN, _CHILD_IS_TAKEN = 900, 1000  # of 1000: what the kernel ends first for memory
 _TICK = 0.05  # seconds between two looks at what the child uses
 
 
@@ -91,8 +92,7 @@ class Zygote:
         lockdown.drop_rights(how.identity, how.keep_reading)
         if not how.alone:
             lockdown.adopt_orphans()
-        with suppress(OSError):  # under memory pressure the kernel takes these first
-            Path("/proc/self/oom_score_adj").write_text("1000", encoding="utf-8")
+        _be_taken_first(_ZYGOTE_IS_TAKEN)
         self._work = Path(how.scratch) / "work"
         self._sweep()
         _bring_font_list()
@@ -224,6 +224,7 @@ class Zygote:
         prepare_process(seed)
         lockdown.die_with_parent()
         lockdown.show_memory()
+        _be_taken_first(_CHILD_IS_TAKEN)
         os.chdir(self._work / "notebooks")
         sys.path.insert(0, "")
         ruleset = (
@@ -287,6 +288,12 @@ class Zygote:
     def _say(self, message: dict[str, object]) -> None:
         with suppress(OSError):  # the grader has gone; the closed socket ends the loop
             self._control.send(json.dumps(message).encode())
+
+
+def _be_taken_first(order: int) -> None:
+    """Let the kernel end this process before those of a lower order if memory runs out."""
+    with suppress(OSError):
+        Path("/proc/self/oom_score_adj").write_text(str(order), encoding="ascii")
 
 
 def _why(status: int) -> str:

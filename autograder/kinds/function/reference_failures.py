@@ -1,0 +1,52 @@
+"""Exceptions of a reference that nobody meant: a case would ask students for the same one."""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Callable, Iterator
+
+from autograder.kinds.function.marking import Expected
+
+# What a name, an attribute or a module that is not there raises: a slip of the author's.
+_SLIPS = frozenset(
+    {"AttributeError", "ImportError", "ModuleNotFoundError", "NameError", "UnboundLocalError"}
+)
+
+
+def reference_failures(reference: Callable[..., object], expected: Expected) -> Iterator[str]:
+    """One sentence for each exception that is no contract: it is not in the docstring either."""
+    promised = inspect.getdoc(reference) or ""
+    raised = [outcome.get("raised") for outcome in expected.outcomes]
+    slips: dict[str, list[str]] = {}
+    for case, error in zip(expected.cases, raised, strict=True):
+        misfit = _misfit(reference, case) if error == "TypeError" else ""
+        if misfit:
+            yield (
+                f"the case {case['name']!r} cannot be given to the reference: {misfit}; "
+                "correct its args."
+            )
+        elif error in _SLIPS and str(error) not in promised:
+            slips.setdefault(str(error), []).append(repr(case["name"]))
+    for error, names in slips.items():
+        yield (
+            f"the reference raises {error} for {', '.join(names)}, and would ask students for the "
+            "same; correct it, or promise that exception in its docstring."
+        )
+    if all(raised) and not slips and len(set(raised) - {None}) == 1:
+        yield (
+            f"the reference raises {raised[0]} in every case; add one for which it returns a value."
+        )
+
+
+def _misfit(reference: Callable[..., object], case: dict[str, object]) -> str:
+    """Why a function cannot be called with the arguments of a case; empty if it can."""
+    arguments, keywords = case["args"], case.get("kwargs", {})
+    assert isinstance(arguments, list)
+    assert isinstance(keywords, dict)
+    try:
+        inspect.signature(reference).bind(*arguments, **keywords)
+    except TypeError as error:
+        return str(error)
+    except ValueError:  # of a function that tells no signature
+        return ""
+    return ""
