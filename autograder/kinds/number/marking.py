@@ -12,6 +12,8 @@ from autograder.kinds.number.diagnosis import diagnose_number
 from autograder.kinds.number.question import Number
 from autograder.language import _
 
+_SINGLE_PRECISION = 1e-6  # relative, of a number that was computed with it
+
 
 def mark_number(
     question: Number,
@@ -60,8 +62,8 @@ def _tolerance(question: Number, alternative: NumberAlternative, value: int | fl
     """How far a value may be from an alternative's.
 
     As many decimals as are asked for may be rounded. Whoever gives more of them has to be right to
-    these, by at most one in the last, as far as the key itself goes. A mistake that gives no whole
-    number is given as one where one is asked for, rounded.
+    these, by at most one in the last, as far as the key itself and single precision go. A mistake
+    that gives no whole number is given as one where one is asked for, rounded.
     """
     if alternative.tolerance is not None:
         return alternative.tolerance
@@ -74,7 +76,8 @@ def _tolerance(question: Number, alternative: NumberAlternative, value: int | fl
     if question.decimals is None or alternative.is_mistake:
         return question.tolerance
     coarser = max(_last_place(value), _last_place(alternative.value))
-    return min(question.tolerance, coarser * (1 + 1e-9))
+    finest = max(coarser * (1 + 1e-9), _SINGLE_PRECISION * abs(alternative.value))
+    return min(question.tolerance, finest)
 
 
 def _last_place(value: int | float) -> float:
