@@ -172,8 +172,8 @@ def _of_one_place(operator: str) -> str:
         return _(_WORDS[operator])
     other, stands, name = operator.partition(" for ")
     if stands:
-        said = _("{other} stands somewhere in it for {symbol}")
-        return said.format(other=other, symbol=name)
+        sentence = _("{other} stands somewhere in it for {symbol}")
+        return sentence.format(other=other, symbol=name)
     name, _blank, what = operator.partition(" ")
     return _(_OF_A_SYMBOL[what]).format(symbol=name)
 

@@ -95,8 +95,8 @@ class Hypotheses:
     def _said(self, index: int) -> Diagnosis:
         """The name of a change, and what a student reads of it."""
         if remark := self._remark(index):
-            said = _("It looks as if yours is the right function {remark}.")
-            return Diagnosis(remark, said.format(remark=remark))
+            sentence = _("It looks as if yours is the right function {remark}.")
+            return Diagnosis(remark, sentence.format(remark=remark))
         mutant = self._changes()[index][0]
         argument = re.match(r"begin with (\w+) = ", mutant.name)
         words = in_words(mutant.operator, argument[1] if argument else "")

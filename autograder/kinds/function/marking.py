@@ -323,8 +323,8 @@ def _what_happened(outcomes: Sequence[object], indices: Sequence[int]) -> str:
     for index in indices:
         outcome = outcomes[index]
         if isinstance(outcome, dict) and "raised" in outcome:
-            said = _("it raises {name}").format(name=_known_error(outcome["raised"]))
-            return f" ({said})"
+            sentence = _("it raises {name}").format(name=_known_error(outcome["raised"]))
+            return f" ({sentence})"
         if isinstance(outcome, dict) and "unusable" in outcome:
             reason = outcome["unusable"]
             known = isinstance(reason, str) and reason in REASONS

@@ -334,8 +334,8 @@ def in_words(operator: str, argument: str = "") -> str:
     if argument:
         return _(_OF_AN_ARGUMENT[operator.removeprefix("argument ")]).format(name=argument)
     if exchanged := re.fullmatch(r"(\w+) and (\w+) exchanged", operator):
-        said = _("the function works with {one} and {other} exchanged")
-        return said.format(one=exchanged[1], other=exchanged[2])
+        sentence = _("the function works with {one} and {other} exchanged")
+        return sentence.format(one=exchanged[1], other=exchanged[2])
     name, between, how = operator.partition(" with ")
     if between:
         return _(_OF_AN_ARGUMENT[how]).format(name=name)
