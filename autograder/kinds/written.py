@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import keyword
 import re
-from typing import Annotated
+from typing import Annotated, ClassVar
 
 import msgspec
 from msgspec import Meta
@@ -29,6 +29,8 @@ Credit = Annotated[float, Meta(ge=0, le=1, description="the share of the points 
 
 class Written(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """A table with known fields, all of the right type; texts have no blanks around them."""
+
+    refused: ClassVar[dict[str, str]] = {}  # fields that one may expect, and why there are none
 
     def __post_init__(self) -> None:
         for field in self.__struct_fields__:

@@ -100,7 +100,7 @@ ROOMS = ("student", "kinds", "marking", "grading/chapter.py", "grading/own_excep
 OF_AUTHORS = {"answer.py", "question.py", "trial.py", "promises.py", "sensible.py", "stub.py",
               "expected.py", "strict.py", "toml_lines.py", "written.py", "registry.py",
               "formula.py", "variables.py", "exercise.py", "draw.py", "marker.py",
-              "marker_process.py", "reference_failures.py", "take_snapshot.py"}  # fmt: skip
+              "marker_process.py", "take_snapshot.py", "reference_failures.py"}  # fmt: skip
 TO_AUTHORS = {"CourseError", "ValueError", "problems", "too_few_mistakes", "poor_draw",
               "poor_value", "check_answer", "other_mistakes"}  # fmt: skip
 

@@ -240,7 +240,7 @@ def test_the_gradebook_keeps_them_and_the_class_page_counts_them(patch: Path, tm
 def test_formulas_in_choices_are_set_and_nothing_is_cut():
     choices = (
         "when $S_{xx} = S_{yy}$",
-        "nowhere: it is as wide as that at every place of the wall",
+        "nowhere: it is as wide as that at each place of a wall",
     )
     asked = Prediction(id="P1.9", prompt="When?", choices=choices)
     found = Predicted(asked)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import Annotated, ClassVar
 
 from msgspec import Meta
 
@@ -14,6 +14,7 @@ class TrueFalse(Question, frozen=True, kw_only=True, tag="true_false"):
     """Statements to call true or false, one point each."""
 
     kind = "true_false"
+    refused: ClassVar[dict[str, str]] = {"points": "each statement is a point, so remove it"}
     statements: Annotated[tuple[Text, ...], Meta(min_length=1)]
     draws: Annotated[
         tuple[tuple[int, ...], ...],
