@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from autograder.diagnosis.relations import Diagnosis
 from autograder.language import _
-from autograder.marking.diagnosis.relations import Diagnosis
 
 Cards = tuple[str, ...]
 
