@@ -14,7 +14,6 @@ ROOT = Path(__file__).parent.parent
 ENGINE = ROOT / "autograder"
 KINDS = {path.parent.name for path in (ENGINE / "kinds").glob("*/kind.py")}
 A_KIND = "kinds/*"
-MUTANTS = "marking/mutants"
 
 
 def written_order() -> list[str]:
@@ -31,8 +30,6 @@ def room_of(module: str) -> str | None:
         return None
     if parts[1] == "kinds" and len(parts) > 2 and parts[2] in KINDS:
         return A_KIND
-    if parts[1:3] == ["marking", "mutants"]:
-        return MUTANTS
     return parts[1]
 
 
@@ -61,7 +58,6 @@ def is_inside(path: Path) -> bool:
 def test_every_folder_is_a_room_with_a_place_in_the_order():
     folders = {path.parent.name for path in ENGINE.glob("*/__init__.py")} | {
         A_KIND,
-        MUTANTS,
         "errors",
     }
     assert folders == set(written_order())
