@@ -24,8 +24,8 @@ from typing import Any, TextIO
 
 import pytest
 
-from autograder.marking.mutants.edits import edited
-from autograder.marking.mutants.mutant import Mutant
+from autograder.mutants.edits import edited
+from autograder.mutants.mutant import Mutant
 
 ROOT = Path(__file__).parent.parent
 _FUTURE = importlib.import_module("__future__").annotations.compiler_flag

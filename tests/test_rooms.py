@@ -5,6 +5,7 @@ The order of the rooms is written down in CONTRIBUTING, and nowhere else.
 
 import ast
 import re
+import tomllib
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -14,7 +15,6 @@ ROOT = Path(__file__).parent.parent
 ENGINE = ROOT / "autograder"
 KINDS = {path.parent.name for path in (ENGINE / "kinds").glob("*/kind.py")}
 A_KIND = "kinds/*"
-MUTANTS = "marking/mutants"
 
 
 def written_order() -> list[str]:
@@ -31,8 +31,6 @@ def room_of(module: str) -> str | None:
         return None
     if parts[1] == "kinds" and len(parts) > 2 and parts[2] in KINDS:
         return A_KIND
-    if parts[1:3] == ["marking", "mutants"]:
-        return MUTANTS
     return parts[1]
 
 
@@ -61,7 +59,6 @@ def is_inside(path: Path) -> bool:
 def test_every_folder_is_a_room_with_a_place_in_the_order():
     folders = {path.parent.name for path in ENGINE.glob("*/__init__.py")} | {
         A_KIND,
-        MUTANTS,
         "errors",
     }
     assert folders == set(written_order())
@@ -121,3 +118,12 @@ def test_the_sandbox_isolates_and_does_nothing_else():
     for path in (ENGINE / "sandbox").glob("*.py"):
         rooms = {room_of(name) for name in imported(path)} - {None}
         assert rooms <= {"sandbox", "exchange", "course", "errors", "language"}, path
+
+
+def test_the_wheel_has_every_room():
+    """It names them one by one, and a room that it lacks is missed only where it is installed."""
+    project = tomllib.loads((ENGINE / "pyproject.toml").read_text(encoding="utf-8"))
+    wheel = project["tool"]["hatch"]["build"]["targets"]["wheel"]
+    rooms = sorted(path.parent.name for path in ENGINE.glob("*/__init__.py"))
+    assert sorted(wheel["only-include"]) == rooms
+    assert wheel["sources"] == {room: f"autograder/{room}" for room in rooms}

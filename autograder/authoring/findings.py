@@ -15,8 +15,8 @@ from autograder.course.questions import Question
 from autograder.course.right_work import module_of, right_work_of
 from autograder.kinds.answer import Answer
 from autograder.kinds.registry import kind_of
-from autograder.marking.mutants.clones import course_sources
-from autograder.marking.mutants.mutant import Mutant
+from autograder.mutants.clones import course_sources
+from autograder.mutants.mutant import Mutant
 
 _CACHE = Path(".mutants_cache")
 _PACKAGE = Path(__file__).parents[1]

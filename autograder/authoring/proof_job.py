@@ -17,8 +17,8 @@ from autograder.kinds.answer import Answer
 from autograder.kinds.drawn import Drawn
 from autograder.kinds.registry import kind_of
 from autograder.marking.draw import draw, random_numbers
-from autograder.marking.mutants.limit import time_limit
-from autograder.marking.mutants.mutant import OutOfTime, Trial
+from autograder.mutants.limit import time_limit
+from autograder.mutants.mutant import OutOfTime, Trial
 from autograder.sandbox.inside.evaluate import evaluate
 
 MUTANT_SEEDS = range(1, 11)

@@ -77,8 +77,8 @@ class Course:
         Raises:
             UsageError: if there is none; the sentence lists the ids that exist.
         """
-        said = N_("There is no question {name}; this course has {listed}.")
-        return _named(id, self.questions, said)
+        sentence = N_("There is no question {name}; this course has {listed}.")
+        return _named(id, self.questions, sentence)
 
     @cached_property
     def predictions(self) -> dict[str, Prediction]:
@@ -95,8 +95,8 @@ class Course:
         Raises:
             UsageError: if there is none; the sentence lists the ids that exist.
         """
-        said = N_("There is no prediction {name}; this course has {listed}.")
-        return _named(id, self.predictions, said)
+        sentence = N_("There is no prediction {name}; this course has {listed}.")
+        return _named(id, self.predictions, sentence)
 
     def chapter(self, name: str) -> Chapter:
         """The chapter with this name."""
@@ -138,8 +138,8 @@ class Course:
             for id, written in self.varied.items()
             if written.table.get("story")
         }
-        said = N_("There is no story {name}; this course has {listed}.")
-        return self.numbers(_named(name, tellers, said)) or {}
+        sentence = N_("There is no story {name}; this course has {listed}.")
+        return self.numbers(_named(name, tellers, sentence)) or {}
 
     def with_variants(self, variants: Mapping[str, int]) -> Course:
         """The course with these variants of the questions that have any; the others have 0.

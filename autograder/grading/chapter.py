@@ -285,8 +285,8 @@ def _notebook_stopped(stop: Stopped) -> str:
     if stop.status == "timeout":
         if not stop.why:
             return _("Running the notebook took longer than the time limit.")
-        said = _("Running the notebook took longer than the time limit: {why}.")
-        return said.format(why=_(stop.why))
+        sentence = _("Running the notebook took longer than the time limit: {why}.")
+        return sentence.format(why=_(stop.why))
     why = _(stop.why or N_("too much memory, a crash, or an exit"))
     return _("The notebook's process ended while it ran: {why}.").format(why=why)
 

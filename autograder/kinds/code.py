@@ -75,8 +75,8 @@ class CodeKind(Kind[Q, A]):
         )
 
     def lines(self, question: Q, response: object) -> list[str]:
-        said = _("Check it with {call}.")
-        return [said.format(call=f"`{self.respond_line(question, response)}`")]
+        sentence = _("Check it with {call}.")
+        return [sentence.format(call=f"`{self.respond_line(question, response)}`")]
 
     def respond_line(self, question: Q, response: object) -> str:
         return f'check("{question.id}", {question.name})'

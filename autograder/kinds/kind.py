@@ -22,7 +22,7 @@ from autograder.kinds.mark import Mark
 from autograder.kinds.question import Question
 from autograder.kinds.reading import Reading
 from autograder.language import N_
-from autograder.marking.mutants.mutant import Trial
+from autograder.mutants.mutant import Trial
 
 Q = TypeVar("Q", bound=Question)
 A = TypeVar("A", bound=Answer)

@@ -68,11 +68,11 @@ class SnapshotMarker:
         if snapshot is None or not snapshot["checked"]:
             return recorded(question, response)
         if state == "raised":
-            said = _("Evaluating {name} raises {error}.")
-            said = said.format(name=question.name, error=response.get("error"))
-            return wrong(question, said)
+            sentence = _("Evaluating {name} raises {error}.")
+            sentence = sentence.format(name=question.name, error=response.get("error"))
+            return wrong(question, sentence)
         if state != "given":
             why = _(REASONS.get(reason, UNREAD))
-            said = _("{name} cannot be checked: {why}.").format(name=question.name, why=why)
-            return wrong(question, said)
+            sentence = _("{name} cannot be checked: {why}.").format(name=question.name, why=why)
+            return wrong(question, sentence)
         return kind_of(question).mark_snapshot(question, snapshot, response)

@@ -60,8 +60,8 @@ class Predicted:
 
     def _range(self, low: float, high: float) -> str:
         if not self.asked.integer:
-            said = _("{low} to below {high}")
-            return said.format(low=f"{low:g}", high=f"{high:g}")
+            sentence = _("{low} to below {high}")
+            return sentence.format(low=f"{low:g}", high=f"{high:g}")
         first, last = math.ceil(low), math.ceil(high) - 1
         if first == last:
             return f"{first:,}"
@@ -77,9 +77,9 @@ def predictions_html(found: Sequence[Predicted], students: int) -> str:
 def _counted(entry: Predicted, students: int) -> str:
     rows = entry.rows()
     most = max(count for _name, count in rows)
-    said = _("{some} of {all}")
+    sentence = _("{some} of {all}")
     made = [
-        [inline(name), str(count), bar(count / most, said.format(some=count, all=entry.count))]
+        [inline(name), str(count), bar(count / most, sentence.format(some=count, all=entry.count))]
         for name, count in rows
     ]
     caption = _("{some} of {all} predicted.").format(some=entry.count, all=students)

@@ -268,8 +268,8 @@ def needs_help(course: Course, record: Record) -> Needy | None:
     if record.graded.status != "unreadable":
         open_ones = statuses["not attempted"]
         if open_ones >= len(course.questions) / 2:
-            said = _("{count} of {all} questions not attempted")
-            reasons.append(said.format(count=open_ones, all=len(course.questions)))
+            sentence = _("{count} of {all} questions not attempted")
+            reasons.append(sentence.format(count=open_ones, all=len(course.questions)))
         for status, words in (
             ("error", N_("{count} questions ended with an exception")),
             ("timeout", N_("{count} questions ended at the time limit")),

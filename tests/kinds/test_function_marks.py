@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from autograder.diagnosis.relations import Diagnosis
 from autograder.kinds.function.answer import FunctionAlternative, FunctionAnswer
 from autograder.kinds.function.marking import (
     Expected,
@@ -19,7 +20,6 @@ from autograder.kinds.function.marking import (
 )
 from autograder.kinds.function.question import Function
 from autograder.marking import Mark
-from autograder.marking.diagnosis.relations import Diagnosis
 
 QUESTION = Function(
     id="Q9", chapter="c", title="t", prompt="p", points=8.0, hints=("h",), function="f"

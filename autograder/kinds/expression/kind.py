@@ -26,7 +26,7 @@ from autograder.kinds.formula import evaluate_formula
 from autograder.kinds.mark import Mark
 from autograder.kinds.typed import assign_if_open
 from autograder.language import _
-from autograder.marking.mutants.mutant import Trial
+from autograder.mutants.mutant import Trial
 
 if TYPE_CHECKING:
     from autograder.kinds.expression.widget import ExpressionWidget

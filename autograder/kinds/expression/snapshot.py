@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from autograder.diagnosis.relations import RELATIONS, Diagnosis
 from autograder.exchange.messages import Message
 from autograder.kinds.expression.answer import ExpressionAlternative, ExpressionAnswer
 from autograder.kinds.expression.equal_values import Points, nearly_equal, same_values
@@ -16,7 +17,6 @@ from autograder.kinds.formula import evaluate_formula
 from autograder.kinds.mark import Mark
 from autograder.kinds.snapshot import LATER, wrong
 from autograder.language import _
-from autograder.marking.diagnosis.relations import RELATIONS, Diagnosis
 
 _POINTS = 12
 _TELLING = 4  # different values, for a relation to say anything

@@ -12,8 +12,8 @@ from autograder.kinds.expression.equal_values import same_values
 from autograder.kinds.expression.marking import hidden_points, mark_expression
 from autograder.kinds.expression.question import Expression
 from autograder.kinds.formula import evaluate_formula
-from autograder.marking.mutants.formula_edits import edited_formulas
-from autograder.marking.mutants.mutant import Trial
+from autograder.mutants.formula_edits import edited_formulas
+from autograder.mutants.mutant import Trial
 
 
 class ExpressionTrial(Trial):

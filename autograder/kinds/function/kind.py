@@ -27,7 +27,7 @@ from autograder.kinds.function.trial import FunctionTrial
 from autograder.kinds.mark import Mark
 from autograder.kinds.reading import Reading
 from autograder.language import N_
-from autograder.marking.mutants.mutant import Trial
+from autograder.mutants.mutant import Trial
 
 if TYPE_CHECKING:
     from autograder.kinds.function.widget import FunctionWidget

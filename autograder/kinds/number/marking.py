@@ -48,7 +48,8 @@ def mark_number(
         feedback = _("A whole number is asked for. Decide whether to round up or down, and why.")
     else:
         feedback = _(
-            "That is not the value asked for. A hint may help: look at what each symbol counts."
+            "That is not the value asked for. Read again what is given and what is asked; "
+            "a hint may help."
         )
     name = None
     known["evidence"] = f"value {value:.10g}"

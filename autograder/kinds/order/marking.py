@@ -176,12 +176,12 @@ def _where(card: str, answer: OrderAnswer, texts: dict[str, str]) -> str:
     later = {f"“{texts[second]}”": None for first, second in answer.before if first == card}
     both = f" {_('and')} "
     if earlier and later:
-        said = _("“{card}” comes after {earlier} and before {later}.")
+        sentence = _("“{card}” comes after {earlier} and before {later}.")
     elif earlier:
-        said = _("“{card}” comes after {earlier}.")
+        sentence = _("“{card}” comes after {earlier}.")
     else:
-        said = _("“{card}” comes before {later}.")
-    return said.format(card=texts[card], earlier=both.join(earlier), later=both.join(later))
+        sentence = _("“{card}” comes before {later}.")
+    return sentence.format(card=texts[card], earlier=both.join(earlier), later=both.join(later))
 
 
 def _first_conflict(question: Order, order: Sequence[str], after: dict[str, set[str]]) -> str:

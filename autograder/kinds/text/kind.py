@@ -38,8 +38,8 @@ class TextKind(ChoiceKind[Text, TextAnswer]):
 
     def read_response(self, question: Text, response: object) -> object:
         if not isinstance(response, str):
-            said = _("{question} asks for words: respond with a text in quotes.")
-            raise UsageError(said.format(question=question.id))
+            sentence = _("{question} asks for words: respond with a text in quotes.")
+            raise UsageError(sentence.format(question=question.id))
         response = "".join(c if c >= " " or c in "\n\t" else " " for c in response)
         if len(response) > question.longest:
             raise UsageError(

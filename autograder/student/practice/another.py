@@ -36,8 +36,8 @@ def another_one(
     """
     client = key_marker(desk.course, question.id)
     if client is None:
-        said = _("{question} cannot be practised here: its key is not at hand.")
-        raise UsageError(said.format(question=question.id))
+        sentence = _("{question} cannot be practised here: its key is not at hand.")
+        raise UsageError(sentence.format(question=question.id))
     if can_be_read(desk, question):
         from autograder.student.widgets.reading import ReadingWidget
 

@@ -121,8 +121,8 @@ class QuestionWidget(CourseWidget):
         )
         if in_vscode():  # where the widget may be an error: this line is there nevertheless
             line = kind_of(self.question).respond_line(self.question, response)
-            said = _("If there is nothing to click, answer in a cell: {line}")
-            words += f" {said.format(line=line)}"
+            sentence = _("If there is nothing to click, answer in a cell: {line}")
+            words += f" {sentence.format(line=line)}"
         return receipt_output(words, self.question.id, response)
 
     def words(self, response: object) -> str:

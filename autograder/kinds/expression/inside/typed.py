@@ -66,11 +66,11 @@ def read_expression(question: Expression, text: str) -> object:
             return symbols[id]
         if id in constants:
             return constants[id]
-        said = _("{name} is not one of the symbols here: {symbols}.")
-        raise UsageError(said.format(name=id, symbols=", ".join(symbols)))
+        sentence = _("{name} is not one of the symbols here: {symbols}.")
+        raise UsageError(sentence.format(name=id, symbols=", ".join(symbols)))
 
     try:
         return sp.sympify(value_of(tree, name, functions, number=sp.sympify))
     except (ArithmeticError, ValueError, TypeError) as error:
-        said = _("This is not a formula: {reason}.").format(reason=str(error).rstrip("."))
-        raise UsageError(said) from None
+        sentence = _("This is not a formula: {reason}.").format(reason=str(error).rstrip("."))
+        raise UsageError(sentence) from None
