@@ -9,6 +9,7 @@ import pytest
 
 from solutions.place_recognition import ImageDatabase, InvertedIndex, VocabularyTree
 from solutions.place_recognition.fast import index as index_module
+from solutions.place_recognition.fast import postings as postings_module
 from solutions.place_recognition.fast.postings import merged, postings_of
 from solutions.place_recognition.fast.storage import read_arrays, write_arrays
 
@@ -39,6 +40,17 @@ def test_the_best_so_many_are_given_and_of_equal_ones_the_first(database, top):
     assert [c.name for c in found] == [f"image {n}" for n in range(7, -1, -1)][:top]
     equal = database.query(SPOTS[:1], np.int64(top), "votes")
     assert [(c.name, c.score) for c in equal] == [(f"image {n}", 1) for n in range(8)][:top]
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_of_many_images_the_best_are_those_of_a_whole_sort(seed):
+    made = ImageDatabase(TREE)
+    made.names = [str(n) for n in range(400)]
+    order = np.random.default_rng(seed).permutation(400)
+    for top in (1, 2, 7, 40, 399, 400):
+        found = made._best(order, -order, order % 3 > 0, top)
+        eligible = sorted((entry, n) for n, entry in enumerate(order.tolist()) if entry % 3)
+        assert [(-int(c.score), int(c.name)) for c in found] == eligible[:top]
 
 
 @pytest.mark.parametrize("top", [0, -1, 1.5, 2.0, "3", None])
@@ -119,6 +131,19 @@ def test_a_query_whose_words_weigh_nothing_shares_nothing():
     index.extend([np.array([0]), np.array([0, 1])])
     with np.errstate(all="raise"):
         assert index.scores(np.array([0])).tolist() == [2.0, 2.0]
+
+
+def test_words_weigh_nothing_where_there_are_no_images():
+    with np.errstate(all="raise"):
+        assert InvertedIndex(3).weights().tolist() == [0.0, 0.0, 0.0]
+
+
+@pytest.mark.parametrize("at_once", [1, 2, 5, 100])
+def test_sizes_add_up_all_words_in_whatever_portions(monkeypatch, at_once):
+    monkeypatch.setattr(postings_module, "WORDS_AT_ONCE", at_once)
+    part = postings_of([np.array([0, 0, 4]), np.array([1, 2, 3, 3, 3])])
+    weights = np.array([1.0, 0.5, 2.0, 0.25, 4.0])
+    assert part.weighted_sizes(weights).tolist() == [2 + 4, 0.5 + 2 + 0.75]
 
 
 def test_two_parts_become_one_with_the_counts_of_both():
