@@ -10,10 +10,10 @@ from dataclasses import dataclass, replace
 
 from autograder.course.filling import fill
 from autograder.course.selections import DRAW, FIELD, drawn, read_draws
-from autograder.kinds.question import Question
-from autograder.kinds.registry import has_kind, kind_named, kind_names
-from autograder.kinds.strict import Place, Table, meant, read_table
-from autograder.kinds.variables import Variables, read_variables
+from autograder.questions.question import Question
+from autograder.questions.registry import has_kind, kind_named, kind_names
+from autograder.questions.strict import Place, Table, meant, read_table
+from autograder.questions.variables import Variables, read_variables
 
 __all__ = ["Question", "Written", "question_from_table"]
 
