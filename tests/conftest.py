@@ -50,7 +50,7 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 
 @pytest.hookimpl(wrapper=True)
 def pytest_runtest_protocol(item: pytest.Item) -> Iterator[None]:
-    """Give the next test this course's own packages and language, whichever course one has loaded."""
+    """Give the next test this course's packages and language, whichever course one has loaded."""
     path = sys.path[:]
     before = {n: m for n, m in sys.modules.items() if n.partition(".")[0] in OWN}
     try:

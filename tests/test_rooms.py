@@ -5,6 +5,7 @@ The order of the rooms is written down in CONTRIBUTING, and nowhere else.
 
 import ast
 import re
+import tomllib
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -110,3 +111,12 @@ def test_the_sandbox_isolates_and_does_nothing_else():
     for path in (ENGINE / "sandbox").glob("*.py"):
         rooms = {room_of(name) for name in imported(path)} - {None}
         assert rooms <= {"sandbox", "exchange", "course", "errors", "language"}, path
+
+
+def test_the_wheel_has_every_room():
+    """It names them one by one, and a room that it lacks is missed only where it is installed."""
+    project = tomllib.loads((ENGINE / "pyproject.toml").read_text(encoding="utf-8"))
+    wheel = project["tool"]["hatch"]["build"]["targets"]["wheel"]
+    rooms = sorted(path.parent.name for path in ENGINE.glob("*/__init__.py"))
+    assert sorted(wheel["only-include"]) == rooms
+    assert wheel["sources"] == {room: f"autograder/{room}" for room in rooms}

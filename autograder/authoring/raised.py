@@ -28,9 +28,8 @@ def raised(master: Master, cell: Any, question: str | None) -> str:
         return f"The solved cell of {question} in {master.path.name} raises {said}{cure}."
     lines = cell.source.splitlines()
     number = min(_line_in_cell("\n".join(error.traceback)), len(lines))
-    return (
-        f"{master.where(cell.source, number - 1)} raises {said}{cure}: {lines[number - 1].strip()}"
-    )
+    where = master.where(cell.source, number - 1)
+    return f"{where} raises {said} ({lines[number - 1].strip()}){cure}."
 
 
 def _line_in_cell(traceback: str) -> int:

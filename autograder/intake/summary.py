@@ -111,7 +111,10 @@ class Summary:
         said = list(self.warnings)
         for row in self.nobodys[:_NAMED]:
             said.append(
-                _("{student} belongs to nobody: {reason}. In students.toml: {line}").format(
+                _(
+                    "{student} belongs to nobody: {reason}. "
+                    "In students.toml beside the class list: {line}"
+                ).format(
                     student=row.submission.student, reason=row.match.reason, line=row.match.line
                 )
             )

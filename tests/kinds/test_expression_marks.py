@@ -164,6 +164,15 @@ def test_an_alternative_matches_up_to_its_period_where_it_has_one():
     assert matches(constant, points, points["a"]) is False
 
 
+def test_values_have_to_be_there_wherever_the_key_is_defined_and_nowhere_else():
+    points = {"a": np.linspace(-3.0, 12.0, 8)}
+    root = ExpressionAlternative(name="x", credit=1.0, expression="sqrt(a)")
+    values = np.where(points["a"] > 0, np.sqrt(np.abs(points["a"])), 77.0)
+    assert matches(root, points, values) is True
+    values[-1] = np.nan
+    assert matches(root, points, values) is False
+
+
 def row(*values: complex) -> np.ndarray:
     return np.array(values)
 
