@@ -2,9 +2,12 @@
 
 import statistics
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
+from typing import TypeVar
 
 from benchmarks.report import OURS, Row
+
+T = TypeVar("T")
 
 
 def measure(
@@ -36,17 +39,41 @@ def measure(
     medians = {
         name: statistics.median(times) / (items or {}).get(name, 1) for name, times in turns.items()
     }
-    ours = medians.get(OURS)
+    return _rows(group, task, medians, extra)
+
+
+def measure_fresh(
+    group: str,
+    task: str,
+    contenders: Mapping[str, Callable[[T], object]],
+    inputs: Sequence[T],
+    extra: dict[str, dict[str, float | str]] | None = None,
+) -> list[Row]:
+    """Time every contender once on each input, and return a row for each with the median.
+
+    They take turns on each input, so that nobody finds its code or its data in the processor's
+    caches: what a program sees that does something else between two calls.
+    """
+    turns: dict[str, list[float]] = {name: [] for name in contenders}
+    for one in inputs:
+        for name, function in contenders.items():
+            start = time.process_time()
+            function(one)
+            turns[name].append(time.process_time() - start)
+    medians = {name: statistics.median(times) for name, times in turns.items()}
+    return _rows(group, task, medians, extra)
+
+
+def _rows(
+    group: str,
+    task: str,
+    seconds: dict[str, float],
+    extra: dict[str, dict[str, float | str]] | None,
+) -> list[Row]:
+    ours = seconds.get(OURS)
     return [
-        Row(
-            group,
-            task,
-            name,
-            seconds,
-            seconds / ours if ours else None,
-            (extra or {}).get(name, {}),
-        )
-        for name, seconds in medians.items()
+        Row(group, task, name, each, each / ours if ours else None, (extra or {}).get(name, {}))
+        for name, each in seconds.items()
     ]
 
 

@@ -13,12 +13,15 @@ import ast
 import copy
 import io
 import json
+import random
 import re
 import shutil
 import sys
 import textwrap
+import tomllib
 import zipfile
 from collections.abc import Callable, Sequence
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -27,6 +30,28 @@ TARGET = ROOT / "sample_class"
 BLANK = ROOT.parent / "notebooks"
 SOLVED = ROOT / "notebooks"
 _RESPOND = re.compile(r'^ask\("(?P<id>[^"]+)"\)\.respond\((?P<response>.*)\)$', re.DOTALL)
+
+# What students of the sample class predict: numbers, or places in the list of choices.
+GUESSES: dict[str, dict[str, tuple[int | float, ...]]] = {
+    "place_recognition": {
+        "P1.1": (1, 1, 1, 0, 2, 3),
+        "P1.2": (0, 1, 1, 2),
+        "P1.3": (9, 12, 14, 15, 17, 18, 20),
+    },
+    "line_fitting": {
+        "P2.1": (0, 0, 1, 1, 2, 3),
+        "P2.2": (0, 1, 1, 2, 3),
+        "P2.3": (0, 1, 1, 2, 3),
+        "P2.4": (0, 1, 2),
+        "P2.5": (0.5, 1.0, 2.0, 3.0, 5.0, 10.0),
+    },
+    "ransac": {
+        "P3.1": (12, 50, 80, 100, 100, 400, 10_000),
+        "P3.2": (60.0, 80.0, 90.0, 95.0, 95.0, 99.0),
+        "P3.3": (0, 1, 2, 2),
+        "P3.4": (20, 45, 50, 100, 373, 1000),
+    },
+}
 
 Cell = dict[str, Any]  # as nbformat reads it, like a whole notebook
 Notebook = dict[str, Any]
@@ -59,6 +84,18 @@ class Work:
         if notebook is None:
             notebook = self._place(id)[0]
         self.responses.setdefault(_chapter(notebook), {})[id] = {"response": response}
+
+    def predict(self, student: str) -> None:
+        """What this student expects of the pictures of the chapters, right or wrong by chance."""
+        for chapter in map(_chapter, self.notebooks):
+            for id, guesses in GUESSES.get(chapter, {}).items():
+                guess = random.Random(f"{student} {id}").choice(guesses)
+                choices = _choices(chapter, id)
+                self.responses.setdefault(chapter, {})[id] = {
+                    "kind": "prediction",
+                    "response": choices[int(guess)] if choices else guess,
+                    "status": "recorded",
+                }
 
     def type(self, id: str, source: str) -> None:
         """Put code into the cell of a question."""
@@ -218,7 +255,10 @@ def make(target: Path) -> None:
         "ito": cells_deleted_and_duplicated,
     }
     for student, make_work in zipped.items():
-        (target / f"{student}.zip").write_bytes(_zip(make_work().files()))
+        work = make_work()
+        if student not in ("boole", "hopper"):  # who hands in without a prediction is there too
+            work.predict(student)
+        (target / f"{student}.zip").write_bytes(_zip(work.files()))
     # One notebook alone, as solved and executed: its outputs carry the receipts.
     shutil.copy(SOLVED / "3_ransac.ipynb", target / "jacobi.ipynb")
     for name, data in Work().files().items():
@@ -244,6 +284,14 @@ def main() -> int:
     if not same:
         print("solutions/sample_class is out of date; run python -m solutions.make_sample_class.")
     return 0 if same else 1
+
+
+@cache
+def _choices(chapter: str, id: str) -> list[str]:
+    """The choices of a prediction; none where a number is asked for."""
+    text = (BLANK / "questions" / f"{chapter}.toml").read_text(encoding="utf-8")
+    asked = next(p for p in tomllib.loads(text)["prediction"] if p["id"] == id)
+    return list(asked.get("choices", []))
 
 
 def _chapter(notebook: str) -> str:

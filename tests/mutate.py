@@ -15,16 +15,17 @@ import importlib
 import os
 import resource
 import sys
-import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
+from functools import partial
+from itertools import zip_longest
 from pathlib import Path
 from types import CodeType, FunctionType
-from typing import Any
+from typing import Any, TextIO
 
 import pytest
 
-from autograder.marking.mutants.edits import edited
-from autograder.marking.mutants.mutant import Mutant
+from autograder.mutants.edits import edited
+from autograder.mutants.mutant import Mutant
 
 ROOT = Path(__file__).parent.parent
 _FUTURE = importlib.import_module("__future__").annotations.compiler_flag
@@ -40,41 +41,76 @@ def main() -> int:
     parsed = parser.parse_args()
     os.chdir(ROOT)
     sys.path.insert(0, str(ROOT))
-    begin = time.process_time()
-    if run(parsed.tests) != 0:
-        print("The tests fail as they are; mend them first.")
-        return 2
-    seconds = time.process_time() - begin
-    module = importlib.import_module(".".join(parsed.module.with_suffix("").parts))
-    tables = made_of_functions(parsed.module)
-    tried = lived = 0
-    for function, mutant, code in mutants(parsed.module, module):
-        if parsed.only and function.__name__ not in parsed.only:
-            continue
-        tried += 1
-        if lives(function, code, tables, parsed.tests, seconds):
-            lived += 1
-            if not parsed.quiet:
-                print(f"\n{parsed.module}:{mutant.line} {function.__qualname__}: {mutant.operator}")
-                print(mutant.diff, flush=True)
-    print(f"{parsed.module}: {tried - lived} of {tried} mutants killed")
-    return int(lived > 0)
+    with os.fdopen(os.dup(1), "w") as shown, open(os.devnull, "wb") as nowhere:
+        os.dup2(nowhere.fileno(), 1)  # what pytest and the tests print
+        trial = Trial(parsed.module, parsed.only, parsed.quiet, shown)
+        options = ["-x", "-q", "-s", "-n0", "-p", "no:cacheprovider"]
+        pytest.main([*options, *parsed.tests], plugins=[trial])
+        if trial.tried == 0:
+            print("The tests fail as they are; mend them first.", file=shown)
+            return 2
+        killed = trial.tried - trial.lived
+        print(f"{parsed.module}: {killed} of {trial.tried} mutants killed", file=shown)
+    return int(trial.lived > 0)
 
 
-def run(tests: list[str]) -> int:
-    """Pytest's status for some tests, with nothing printed."""
-    sys.stdout.flush()
-    saved, nowhere = os.dup(1), os.open(os.devnull, os.O_WRONLY)
-    os.dup2(nowhere, 1)
-    try:
-        return int(pytest.main(["-x", "-q", "-n0", "-p", "no:cacheprovider", *tests]))
-    finally:
-        sys.stdout.flush()
-        os.dup2(saved, 1)
+class Trial:
+    """A plugin for pytest: what it has collected is run against each mutant, in forks."""
+
+    def __init__(self, path: Path, only: Sequence[str], quiet: bool, shown: TextIO) -> None:
+        self.path, self.only, self.quiet, self.shown = path, only, quiet, shown
+        self.tried = self.lived = 0
+
+    @pytest.hookimpl(tryfirst=True)
+    def pytest_runtestloop(self, session: pytest.Session) -> bool:
+        """In place of pytest's own loop over the tests."""
+        begin = os.times()
+        if session.testsfailed or not passes(session, lambda: None, 600.0):
+            return True
+        seconds = os.times().children_user - begin.children_user
+        module = importlib.import_module(".".join(self.path.with_suffix("").parts))
+        tables = made_of_functions(self.path)
+        for function, mutant, changed in mutants(self.path, module):
+            if self.only and function.__name__ not in self.only:
+                continue
+            self.tried += 1
+            change = partial(exchange, function, changed, tables)
+            if passes(session, change, 5 + 5 * seconds):
+                self.lived += 1
+                if not self.quiet:
+                    place = f"{self.path}:{mutant.line} {function.__qualname__}"
+                    print(f"\n{place}: {mutant.operator}\n{mutant.diff}", file=self.shown)
+            self.shown.flush()
+        return True
 
 
-def mutants(path: Path, module: Any) -> Iterator[tuple[FunctionType, Mutant, CodeType]]:
-    """Each mutant of a module's functions and methods, with the code that it has."""
+def exchange(function: FunctionType, changed: FunctionType, tables: CodeType) -> None:
+    """Put another in a function's place, and make again what the module made with it."""
+    function.__code__ = changed.__code__
+    function.__defaults__, function.__kwdefaults__ = changed.__defaults__, changed.__kwdefaults__
+    exec(tables, function.__globals__)
+
+
+def passes(session: pytest.Session, change: Callable[[], None], seconds: float) -> bool:
+    """Whether the collected tests pass after a change, in a fork that has some processor time."""
+    child = os.fork()
+    if child == 0:
+        limit = int(os.times().user + 1 + seconds)
+        resource.setrlimit(resource.RLIMIT_CPU, (limit, limit))
+        try:
+            change()
+            for item, following in zip_longest(session.items, session.items[1:]):
+                item.config.hook.pytest_runtest_protocol(item=item, nextitem=following)
+                if session.testsfailed:
+                    os._exit(1)
+            os._exit(0)
+        except BaseException:
+            os._exit(1)
+    return os.waitpid(child, 0)[1] == 0
+
+
+def mutants(path: Path, module: Any) -> Iterator[tuple[FunctionType, Mutant, FunctionType]]:
+    """Each mutant of a module's functions and methods, beside the function as it is."""
     tree = ast.parse(path.read_text(encoding="utf-8"))
     for owner, node in _functions(tree):
         function = _object(module, owner, node.name)
@@ -85,9 +121,10 @@ def mutants(path: Path, module: Any) -> Iterator[tuple[FunctionType, Mutant, Cod
             whole = compile(
                 ast.Module([changed], []), str(path), "exec", flags=_FUTURE, dont_inherit=True
             )
-            code = next(entry for entry in whole.co_consts if isinstance(entry, CodeType))
-            if code.co_freevars == function.__code__.co_freevars:
-                yield function, mutant, code
+            made = dict(vars(module))
+            exec(whole, made)
+            if made[node.name].__code__.co_freevars == function.__code__.co_freevars:
+                yield function, mutant, made[node.name]
 
 
 def _functions(tree: ast.Module) -> Iterator[tuple[str, ast.FunctionDef]]:
@@ -117,26 +154,6 @@ def made_of_functions(path: Path) -> CodeType:
         and any(isinstance(inner, ast.Name) and inner.id in names for inner in ast.walk(node))
     ]
     return compile(tree, str(path), "exec", flags=_FUTURE, dont_inherit=True)
-
-
-def lives(
-    function: FunctionType, code: CodeType, tables: CodeType, tests: list[str], seconds: float
-) -> bool:
-    """Whether the tests pass with another code in a function's place, in a fork.
-
-    What the module had made with the function when it was imported is made again.
-    """
-    child = os.fork()
-    if child == 0:
-        limit = int(os.times().user + 5 + 5 * seconds)
-        resource.setrlimit(resource.RLIMIT_CPU, (limit, limit))
-        try:
-            function.__code__ = code
-            exec(tables, function.__globals__)
-            os._exit(0 if run(tests) == 0 else 1)
-        except BaseException:
-            os._exit(1)
-    return os.waitpid(child, 0)[1] == 0
 
 
 if __name__ == "__main__":

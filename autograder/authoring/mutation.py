@@ -15,7 +15,7 @@ from autograder.authoring.job_processes import share_out
 from autograder.authoring.proof_job import Job, trial_of
 from autograder.course import Course
 from autograder.course.right_work import right_work_of
-from autograder.marking.mutants.mutant import Mutant
+from autograder.mutants.mutant import Mutant
 
 
 def try_all(

@@ -26,8 +26,9 @@ from autograder.course.questions import Question
 from autograder.errors import AutograderError
 from autograder.grading.submission import grade_contents
 from autograder.intake.submissions import Contents, Notebook
-from autograder.kinds.registry import kind_of
 from autograder.marking.marker import Marker
+from autograder.questions.registry import kind_of
+from autograder.questions.toml_lines import line_of
 from autograder.sandbox.launcher import Sandbox
 
 # Hidden inputs are random: what holds for one draw must hold for others.
@@ -56,9 +57,10 @@ def prove_course(
     report("mistakes")
     for question in course.questions.values():
         try:
-            problems += _prove_answer(course, question, key[question.id])
+            found = [*_prove_answer(course, question, key[question.id])]
         except AutograderError as error:
-            problems.append(f"{question.id}: {error}")
+            found = [f"{question.id}: {error}"]
+        problems += [_with_line(course, question, problem) for problem in found]
     if problems:
         return problems
     if course.varied:
@@ -126,6 +128,20 @@ def _prove_answer(course: Course, question: Question, answer: Answer) -> Iterato
                     "correct it, or choose inputs that tell the two apart."
                 ] = None
     yield from found
+
+
+def _with_line(course: Course, question: Question, problem: str) -> str:
+    """A problem of a key with the line that it quotes something of, or with that of its table."""
+    file = (ANSWERS / f"{question.chapter}.toml").as_posix()
+    text, tables = course.answer_tables[question.chapter]
+    first = line_of(text, (question.id,))
+    if first is None or file in problem:
+        return problem
+    begins = [line for id in tables if (line := line_of(text, (id,))) and line > first]
+    lines = text.splitlines()[first - 1 : min(begins, default=None)]
+    quoted = re.findall(r"'([^']+)'", problem)
+    at = next((n for one in quoted for n, line in enumerate(lines) if f'"{one}"' in line), 0)
+    return f"{problem.rstrip('.')} ({file}, line {first + at})."
 
 
 def _misplaced_files(course: Course) -> Iterator[str]:

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import re
+import tomllib
 from typing import Any
 
 from autograder.authoring.masters import Master
+from autograder.authoring.pyproject import distribution
+from autograder.course.own_code import OWN
 
 _LINE = re.compile(r"Cell In\s?\[\d+\], line (\d+)|File <ipython-input[^>]*>:(\d+)")
 _COLORS = re.compile(r"\x1b\[[0-9;]*m")
 _NO_MODULE = re.compile(r"No module named '([\w.]+)'")
-_OWN = ("data", "notebooks", "solutions")
 
 
 def raised(master: Master, cell: Any, question: str | None) -> str:
@@ -20,21 +22,33 @@ def raised(master: Master, cell: Any, question: str | None) -> str:
     """
     error = next(output for output in cell.outputs if output.output_type == "error")
     said = f"{error.ename}: {error.evalue}".splitlines()[0].rstrip(".: ")
-    cure = ""
-    if (missing := _NO_MODULE.search(said)) and missing[1].partition(".")[0] not in _OWN:
-        cure = (
-            f"; install {missing[1]}, and name it among the dependencies in pyproject.toml, "
-            "so that students have it too"
-        )
+    missing = _NO_MODULE.search(said)
+    cure = _how_to_have(missing[1].partition(".")[0], master) if missing else ""
     if question is not None:
         return f"The solved cell of {question} in {master.path.name} raises {said}{cure}."
     lines = cell.source.splitlines()
     number = min(_line_in_cell("\n".join(error.traceback)), len(lines))
-    return (
-        f"{master.where(cell.source, number - 1)} raises {said}{cure}: {lines[number - 1].strip()}"
-    )
+    where = master.where(cell.source, number - 1)
+    return f"{where} raises {said} ({lines[number - 1].strip()}){cure}."
 
 
 def _line_in_cell(traceback: str) -> int:
     found = _LINE.search(_COLORS.sub("", traceback))
     return int(found[1] or found[2]) if found else 1
+
+
+def _how_to_have(module: str, master: Master) -> str:
+    """What to do about a module that is not here; nothing for one of the course's own."""
+    if module in OWN:
+        return ""
+    try:
+        text = (master.path.parents[2] / "pyproject.toml").read_text(encoding="utf-8")
+        needed = tomllib.loads(text)["project"]["dependencies"]
+    except (OSError, tomllib.TOMLDecodeError, KeyError):
+        needed = []
+    if module in {distribution(entry) for entry in needed}:
+        return '; the course needs it: type pip install -e ".[author,lab]" in its folder'
+    return (
+        f"; install {module}, and name it among the dependencies in pyproject.toml, "
+        "so that students have it too"
+    )

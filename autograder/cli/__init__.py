@@ -40,6 +40,7 @@ from autograder.cli import (
     similar,
     watch,
 )
+from autograder.cli.extras import missing_extra
 from autograder.cli.status import BROKEN, DONE, INTERRUPTED, WRONG_USAGE
 from autograder.errors import AutograderError, UsageError, machine_error
 from autograder.reports.plain_text import make_plain
@@ -73,6 +74,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except KeyboardInterrupt:
         print("autograder: stopped; run it again to go on.", file=sys.stderr)
         return INTERRUPTED
+    except ModuleNotFoundError as error:
+        told = missing_extra(error)
+        if told is None:
+            raise
+        print(f"autograder: {told}", file=sys.stderr)
+        return BROKEN
     except (OSError, MemoryError, RuntimeError) as error:
         if isinstance(error, BrokenPipeError):  # `autograder show ada | head`
             os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())

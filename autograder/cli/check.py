@@ -21,6 +21,7 @@ def add(commands: Commands) -> None:
 
 def run(parsed: argparse.Namespace, console: Console) -> int:
     """Print every problem; the status says whether there is one."""
+    from autograder.authoring.build import stale_notebooks
     from autograder.authoring.proof import prove_course
     from autograder.authoring.proof_by_mutants import kept_promises, tried_styles
 
@@ -38,5 +39,7 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
         return BROKEN
     for line in (*kept_promises(course), *tried_styles(course)):
         print(line)
+    for path in stale_notebooks(course):
+        print(f"{path.relative_to(course.root)} is not what the masters give: autograder build.")
     print(f"The course is sound: {len(course.questions)} questions prove themselves.")
     return DONE

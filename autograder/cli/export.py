@@ -90,7 +90,10 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
         for record in left:
             match = view.matches[record.student]
             if match.line:
-                warn(f"{record.student}: {match.reason}. In students.toml: {match.line}")
+                warn(
+                    f"{record.student}: {match.reason}. In students.toml beside the class list: "
+                    f"{match.line}"
+                )
     alike = exports.alike_for_canvas(class_list) if parsed.format == "canvas" else []
     if alike:
         warn(
@@ -100,7 +103,8 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
         )
     if view.missing:
         missing = [person.text() for person in view.missing]
-        warn(f"{len(missing)} students handed in nothing: {_some(missing)}.")
+        students = "student" if len(missing) == 1 else "students"
+        warn(f"{len(missing)} {students} handed in nothing: {_some(missing)}.")
     console.print(f"{path} is written.", markup=False, soft_wrap=True)
     return DONE
 

@@ -272,13 +272,13 @@ def _after_interruption(
         book.set_lateness((row.submission.student, row.lateness()) for row in rows)
         options = Options(parsed.out, students, summary.class_list)
         write_reports(course, book, options)
-        said = _(
+        sentence = _(
             "Stopped: {some} of {all} were graded; their reports are written; run it again to go "
             "on."
         )
     else:
-        said = _("Stopped: {some} of {all} were graded; nothing was written.")
-    warn(said.format(some=tally.count, all=count))
+        sentence = _("Stopped: {some} of {all} were graded; nothing was written.")
+    warn(sentence.format(some=tally.count, all=count))
     return INTERRUPTED
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import shlex
 from pathlib import Path
 
 from rich.console import Console
@@ -10,6 +11,7 @@ from rich.console import Console
 from autograder.cli.common import Commands
 from autograder.cli.status import DONE
 from autograder.course import load_course
+from autograder.errors import CourseError
 
 
 def add(commands: Commands) -> None:
@@ -34,12 +36,18 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
 
     layout = load_course(parsed.layout) if parsed.layout is not None else None
     files = new_course(parsed.folder, parsed.title, layout)
-    with console.status("building the notebooks"):
-        course = load_course(parsed.folder)
-        write(build_student_notebooks(course))
-        write(build_solved_notebooks(course))
+    course = load_course(parsed.folder)
     print(
         f"{parsed.folder} is a course of {len(files)} files and {len(course.questions)} questions."
     )
-    print(f"Next: cd {parsed.folder} && autograder check; its README.md says the rest.")
+    first = ""
+    with console.status("building the notebooks"):
+        write(build_student_notebooks(course))
+        try:
+            write(build_solved_notebooks(course))
+        except CourseError as error:  # such as a requirement of the course that is not here yet
+            print(f"Its solved notebooks are not written yet: {error}")
+            first = 'pip install -e ".[author,lab]" && autograder build && '
+    there = shlex.quote(str(parsed.folder))
+    print(f"Next: cd {there} && {first}autograder check; its README.md says the rest.")
     return DONE

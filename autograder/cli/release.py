@@ -10,6 +10,8 @@ from rich.console import Console
 from autograder.cli.common import Commands, load
 from autograder.cli.status import DONE
 
+_MUCH = 25  # MB; what is sent back by e-mail or uploaded to GitHub in a browser may not be more
+
 
 def add(commands: Commands) -> None:
     """Describe the command."""
@@ -47,6 +49,14 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
     )
     for stays in bundle.left_out:
         console.print(f"Left out: {stays.path}; {stays.reason}.", markup=False, soft_wrap=True)
+    for path in bundle.files:
+        if (megabytes := (bundle.folder / path).stat().st_size / 1e6) > _MUCH:
+            console.print(
+                f"{path} has {megabytes:.0f} MB, and every student downloads it: learning systems "
+                "and GitHub may refuse that; store less of it, or store it smaller.",
+                markup=False,
+                soft_wrap=True,
+            )
     for missed in bundle.blind:
         console.print(
             f"Its checks cannot tell this mistake: {missed}", markup=False, soft_wrap=True

@@ -134,14 +134,14 @@ def _sentence(pair: Pair, names: Mapping[str, str]) -> str:
     if pair.second_share is not None:
         both = _("{alike} and {share} of {name}'s")
         alike = both.format(alike=alike, share=f"{pair.second_share:.0%}", name=second)
-    said = _("{first} and {second}: {alike} is alike, as at “{one}” and “{other}”").format(
+    sentence = _("{first} and {second}: {alike} is alike, as at “{one}” and “{other}”").format(
         first=first,
         second=second,
         alike=alike,
         one=pair.lines[0][:60],
         other=pair.lines[1][:60],
     )
-    return f"{pair.share:4.0%}  {said}"
+    return f"{pair.share:4.0%}  {sentence}"
 
 
 def _public(root: Path) -> dict[str, Code]:

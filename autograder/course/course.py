@@ -27,15 +27,16 @@ from autograder.course.questions import Question, Written
 from autograder.course.settings import Settings, read_settings
 from autograder.course.toml_file import read_toml, unreadable
 from autograder.errors import CourseError, UsageError
-from autograder.kinds.registry import load_kind
-from autograder.kinds.strict import Place, Table, read_table
-from autograder.kinds.variables import Variables, read_variables
 from autograder.language import N_, _, use
+from autograder.questions.registry import load_kind
+from autograder.questions.strict import Place, Table, meant, read_table
+from autograder.questions.variables import Variables, read_variables
 
 DEMO = "demo"  # the tag of a cell that only shows something
 _PACKAGE = Path(__file__).parents[1]
 _MARKS_NOTHING = ("authoring", "cli", "gradebook", "release", "reports")  # folders of the package
 _LARGE_FILE = 32 * 2**20  # bytes
+_FIELDS = ("title", "question", "story", "prediction")  # of a file of questions
 _T = TypeVar("_T")
 
 
@@ -76,8 +77,8 @@ class Course:
         Raises:
             UsageError: if there is none; the sentence lists the ids that exist.
         """
-        said = N_("There is no question {name}; this course has {listed}.")
-        return _named(id, self.questions, said)
+        sentence = N_("There is no question {name}; this course has {listed}.")
+        return _named(id, self.questions, sentence)
 
     @cached_property
     def predictions(self) -> dict[str, Prediction]:
@@ -94,8 +95,8 @@ class Course:
         Raises:
             UsageError: if there is none; the sentence lists the ids that exist.
         """
-        said = N_("There is no prediction {name}; this course has {listed}.")
-        return _named(id, self.predictions, said)
+        sentence = N_("There is no prediction {name}; this course has {listed}.")
+        return _named(id, self.predictions, sentence)
 
     def chapter(self, name: str) -> Chapter:
         """The chapter with this name."""
@@ -137,8 +138,8 @@ class Course:
             for id, written in self.varied.items()
             if written.table.get("story")
         }
-        said = N_("There is no story {name}; this course has {listed}.")
-        return self.numbers(_named(name, tellers, said)) or {}
+        sentence = N_("There is no story {name}; this course has {listed}.")
+        return self.numbers(_named(name, tellers, sentence)) or {}
 
     def with_variants(self, variants: Mapping[str, int]) -> Course:
         """The course with these variants of the questions that have any; the others have 0.
@@ -222,13 +223,16 @@ class Course:
             path = self.root / ANSWERS / f"{chapter.name}.toml"
             text, tables = read_toml(path, f"write the answers to {chapter.name}.toml there")
             asked = {question.id: question for question in chapter.questions}
+            for id in tables.keys() - asked.keys():
+                place = Place((ANSWERS / path.name).as_posix(), text)
+                raise place.error(
+                    f"it answers {id}, which nobody asks; add the question to "
+                    f"{(QUESTIONS / path.name).as_posix()}, remove the answer, or write an id with "
+                    'dots in quotes, as in ["Q1.2"]',
+                    (id,),
+                )
             for id in asked.keys() - tables.keys():
                 raise CourseError(f"{id} has no answer; add one to {path.relative_to(self.root)}.")
-            for id in tables.keys() - asked.keys():
-                raise CourseError(
-                    f"{path.relative_to(self.root)} answers {id}, which nobody asks; "
-                    f"add the question to {QUESTIONS / path.name} or remove the answer."
-                )
             read[chapter.name] = text, tables
         return read
 
@@ -331,17 +335,12 @@ def load_course(root: Path | None = None) -> Course:
     chapters = []
     for path in sorted((root / QUESTIONS).glob("*.toml"), key=_chapter_position(root)):
         text, table = read_toml(path, "write it or remove the file")
-        unknown = table.keys() - {"title", "question", "story", "prediction"}
-        title = table.get("title")
-        if unknown or not isinstance(title, str):
-            raise CourseError(
-                f"{path.relative_to(root)} needs a title and [[question]] tables, and may "
-                "have [story.NAME] and [[prediction]] tables, nothing else."
-            )
+        title = _check_fields(table, Place(path.relative_to(root).as_posix(), text))
         entries = table.get("question", [])
         if not (isinstance(entries, list) and all(isinstance(entry, dict) for entry in entries)):
-            raise CourseError(
-                f"{path.relative_to(root)}: each question is a table that begins with [[question]]."
+            place = Place(path.relative_to(root).as_posix(), text)
+            raise place.error(
+                "each question is a table that begins with [[question]]", ("question",)
             )
         stories = _read_stories(table.get("story", {}), text, path.relative_to(root))
         written = tuple(
@@ -364,6 +363,23 @@ def load_course(root: Path | None = None) -> Course:
         others_count=settings.others_numbers == "count",
         places=read_places(root),
     )
+
+
+def _check_fields(table: Table, place: Place) -> str:
+    """The title of a file of questions, which holds nothing but what it may.
+
+    Raises:
+        CourseError: if there is none, or if there is anything else.
+    """
+    for name in table:
+        if name not in _FIELDS:
+            raise place.error(f"unknown field {name!r}; {meant(name, _FIELDS)}", (name,))
+    title = table.get("title")
+    if not isinstance(title, str):
+        raise place.error(
+            'a file of questions needs a title; write title = "..." in its first line'
+        )
+    return title
 
 
 def _named(name: str, there_are: Mapping[str, _T], refusal: str) -> _T:

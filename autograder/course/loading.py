@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import importlib
+import sys
 from collections.abc import Callable
+from difflib import get_close_matches
 from pathlib import Path
 
+from autograder.course.folders import ANSWERS
 from autograder.course.own_code import OWN, put_first
 from autograder.errors import CourseError
 from autograder.exchange.messages import Value
@@ -26,5 +29,25 @@ def load_object(dotted_name: str, root: Path) -> Callable[..., Value]:
         return loaded
     except (ImportError, AttributeError, ValueError, SyntaxError, OSError) as error:
         raise CourseError(
-            f"The key names {dotted_name!r}, which cannot be loaded: {error}."
+            f"The key names {dotted_name!r}{_where(dotted_name, root)}, which cannot be loaded: "
+            f"{error}{_meant(module_name, name)}."
         ) from error
+
+
+def _where(dotted_name: str, root: Path) -> str:
+    """The file and the line of the key that hold a dotted name."""
+    for path in sorted((root / ANSWERS).glob("*.toml")):
+        lines = path.read_text(encoding="utf-8", errors="replace").splitlines()
+        for number, line in enumerate(lines, 1):
+            if f'"{dotted_name}"' in line:
+                return f" in {(ANSWERS / path.name).as_posix()}, line {number}"
+    return ""
+
+
+def _meant(module_name: str, name: str) -> str:
+    """What to write instead of a name that is not there, if that can be told."""
+    if not name:
+        package, _, function = module_name.rpartition(".")
+        return f"; write {package}:{function}, with a colon before the function"
+    near = get_close_matches(name, dir(sys.modules.get(module_name)), 1)
+    return f"; perhaps {module_name}:{near[0]} is meant" if near else ""

@@ -16,8 +16,8 @@ from msgspec import Meta
 
 from autograder.course.filling import fill_text
 from autograder.errors import UsageError
-from autograder.kinds.written import Text, Written
 from autograder.language import _
+from autograder.questions.written import Text, Written
 
 ID = r"^P\d+(\.\d+)*[a-z]?$"
 MOST_DIGITS = 6  # of a number in words
@@ -87,13 +87,13 @@ class Prediction(Written, frozen=True, kw_only=True):
         )  # NumPy's
         if self.fits(number):
             return int(number) if self.integer or number == int(number) else float(number)
-        said = (
+        sentence = (
             _("Give a whole number from {low} to {high}.")
             if self.integer
             else _("Give a number from {low} to {high}.")
         )
         low, high = (f"{bound:,.{MOST_DIGITS}g}" for bound in self.between)
-        raise UsageError(said.format(low=low, high=f"{high}{self._unit(self.between[1])}"))
+        raise UsageError(sentence.format(low=low, high=f"{high}{self._unit(self.between[1])}"))
 
     def in_words(self, value: Guess) -> str:
         """A kept prediction for people to read."""

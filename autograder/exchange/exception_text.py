@@ -22,5 +22,5 @@ def in_words(told: Told | None) -> str:
 
 def missing_module(told: Told) -> str:
     """That a module is not there."""
-    said = _("{module} is not installed where this is marked")
-    return said.format(module=told["module"])
+    sentence = _("{module} is not installed where this is marked")
+    return sentence.format(module=told["module"])

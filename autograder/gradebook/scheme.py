@@ -149,10 +149,10 @@ class Scheme:
         if reason is not None:
             if not reason:
                 return _("You are excused from this question: the others count for the whole.")
-            said = _(
+            sentence = _(
                 "You are excused from this question ({reason}): the others count for the whole."
             )
-            return said.format(reason=reason)
+            return sentence.format(reason=reason)
         if question in self.given:
             return _("Everybody has the full points for this question.")
         return _("A bonus question: its points are extra.") if question in self.bonus else ""

@@ -8,8 +8,8 @@ from dataclasses import replace
 from autograder.course import Course
 from autograder.grading.graded import Graded
 from autograder.intake.person import Person
-from autograder.kinds.variables import canonical
 from autograder.language import N_, _
+from autograder.questions.variables import canonical
 
 NOT_THEIRS = N_("This was done with the numbers of somebody else, which counts for nothing here.")
 
@@ -24,12 +24,14 @@ def compare_numbers(graded: Graded, course: Course, people: Iterable[Person]) ->
         return graded
     people = list(people)
     if not graded.numbers_of:
-        said = _("It does not say who it is from, so it was marked with the numbers of the sheet.")
-        return replace(graded, notes=(*graded.notes, said))
+        sentence = _(
+            "It does not say who it is from, so it was marked with the numbers of the sheet."
+        )
+        return replace(graded, notes=(*graded.notes, sentence))
     if not people or canonical(graded.numbers_of) in _names(graded, people):
         return graded
-    said = _("It was done and marked with the numbers of {name}, not with their own.")
-    said = said.format(name=repr(graded.numbers_of))
+    sentence = _("It was done and marked with the numbers of {name}, not with their own.")
+    sentence = sentence.format(name=repr(graded.numbers_of))
     marks = graded.marks
     if not course.others_count:
         marks = tuple(
@@ -38,7 +40,7 @@ def compare_numbers(graded: Graded, course: Course, people: Iterable[Person]) ->
             else mark
             for mark in marks
         )
-    return replace(graded, marks=marks, notes=(*graded.notes, said))
+    return replace(graded, marks=marks, notes=(*graded.notes, sentence))
 
 
 def _names(graded: Graded, people: Iterable[Person]) -> set[str]:

@@ -92,8 +92,8 @@ class Archive:
             self.folders.setdefault(path, {})
         else:
             if path in self.entries:
-                said = _("{file} is in the zip twice; the last was taken.")
-                self.notes.append(said.format(file=shown(path)))
+                sentence = _("{file} is in the zip twice; the last was taken.")
+                self.notes.append(sentence.format(file=shown(path)))
             self.entries[path] = entry  # the last of a name counts, as in every unzip tool
 
     def has_wanted(self, wanted: tuple[str, ...]) -> bool:
@@ -146,8 +146,8 @@ class Archive:
                 while block := packed.read(2**20):
                     left -= len(block)
                     if left < 0:
-                        said = _("{file} is larger than {size} MB.")
-                        raise Unreadable(said.format(file=shown(path), size=MAX_NESTED >> 20))
+                        sentence = _("{file} is larger than {size} MB.")
+                        raise Unreadable(sentence.format(file=shown(path), size=MAX_NESTED >> 20))
                     stream.write(block)
         except Unreadable:
             raise

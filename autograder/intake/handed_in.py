@@ -59,8 +59,8 @@ def read_files(pieces: Sequence[Piece], settings: Settings) -> Files:
                 _read_single(place, PurePosixPath(rest_of(name)), files, order)
         except OSError as error:
             raise_if_short(error)
-            said = _("{file} cannot be opened: {reason}.")
-            reasons.append(said.format(file=shown(name), reason=error.strerror or error))
+            sentence = _("{file} cannot be opened: {reason}.")
+            reasons.append(sentence.format(file=shown(name), reason=error.strerror or error))
         except Unreadable as unreadable:
             if len(pieces) == 1:
                 raise
@@ -103,22 +103,22 @@ def _read_single(place: Place, name: PurePosixPath, files: Files, order: int) ->
     data = place.read(limit if lower.endswith(".zip") else min(limit, 2**26))
     if lower.endswith(".zip"):
         if len(data) > limit:
-            said = _("The zip is larger than {size} MB.")
-            raise Unreadable(said.format(size=files.settings.submission_mb))
+            sentence = _("The zip is larger than {size} MB.")
+            raise Unreadable(sentence.format(size=files.settings.submission_mb))
         archive = archive_from_bytes(data, files.settings.submission_files)
         _read_archive(archive, PurePosixPath(), files, order, 1)
         return
     if not lower.endswith(_OFFICE) and _looks_like_zip(data, files):
         archive = archive_from_bytes(data, files.settings.submission_files)
-        said = _("{file} is a zip under another name; it was read as one.")
-        files.note(said.format(file=shown(name.name)))
+        sentence = _("{file} is a zip under another name; it was read as one.")
+        files.note(sentence.format(file=shown(name.name)))
         _read_archive(archive, PurePosixPath(), files, order, 1)
         return
     if lower.endswith((".json", ".txt")) and data.lstrip(b"\xef\xbb\xbf \r\n\t")[:1] == b"{":
         files.add(name.with_name(name.stem + ".ipynb"), Kept(data, order, place.time))
         return
-    said = _("{file} is neither a zip nor a notebook; hand in one of these.")
-    raise Unreadable(said.format(file=shown(name.name)))
+    sentence = _("{file} is neither a zip nor a notebook; hand in one of these.")
+    raise Unreadable(sentence.format(file=shown(name.name)))
 
 
 def _looks_like_zip(data: bytes, files: Files) -> bool:
@@ -193,16 +193,16 @@ def _read_entry(
         files.spend(len(text))
         files.hint = text.decode("ascii", "replace").strip()
     elif path.suffix.lower() in _OTHER_ARCHIVES:
-        said = _("{file} is an archive of another kind; it was not opened.")
-        files.note(said.format(file=shown(str(path))))
+        sentence = _("{file} is an archive of another kind; it was not opened.")
+        files.note(sentence.format(file=shown(str(path))))
 
 
 def _read_nested(
     entry: _Entries | Place, path: PurePosixPath, files: Files, order: int, zips: int
 ) -> None:
     if zips >= MAX_ZIPS:
-        said = _("{file} is a zip in {count} others; it was not opened.")
-        files.note(said.format(file=shown(str(path)), count=zips))
+        sentence = _("{file} is a zip in {count} others; it was not opened.")
+        files.note(sentence.format(file=shown(str(path)), count=zips))
         return
     try:
         data = entry.read(files.limit(path))

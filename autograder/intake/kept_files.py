@@ -94,8 +94,8 @@ class Files:
         too_long = len(kept.data) > self.limit(path)
         self.spend(len(kept.data))
         if too_long:
-            said = _("{file} is too large for saved responses; it was left out.")
-            self.note(said.format(file=shown(path.name)))
+            sentence = _("{file} is too large for saved responses; it was left out.")
+            self.note(sentence.format(file=shown(path.name)))
             return
         while path in self.kept:  # of another piece
             path = path.with_name(f"{path.stem}_{path.suffix}")

@@ -87,21 +87,21 @@ def parse_notebook(data: bytes, name: str) -> Notebook:
     receipts: dict[str, object] = {}
     notes: list[str] = []
     if document.get("nbformat") in (2, 3):
-        said = _("{name} is in an old notebook format (nbformat {number}).")
-        notes.append(said.format(name=name, number=document["nbformat"]))
+        sentence = _("{name} is in an old notebook format (nbformat {number}).")
+        notes.append(sentence.format(name=name, number=document["nbformat"]))
     for cell in cells:
         if not isinstance(cell, dict):
-            said = _("{name} holds something that is not a cell; it was left out.")
-            notes.append(said.format(name=name))
+            sentence = _("{name} holds something that is not a cell; it was left out.")
+            notes.append(sentence.format(name=name))
         elif cell.get("cell_type") == "code":
             sources.append(_source(cell))
             receipts |= _receipts(cell)
     if len(sources) > MAX_CELLS:
-        said = _("{name} has more than {count} code cells.")
-        raise Unreadable(said.format(name=name, count=MAX_CELLS))
+        sentence = _("{name} has more than {count} code cells.")
+        raise Unreadable(sentence.format(name=name, count=MAX_CELLS))
     if sum(map(len, sources)) > MAX_CODE:
-        said = _("{name} has more than {count} million characters of code.")
-        raise Unreadable(said.format(name=name, count=MAX_CODE // 2**20))
+        sentence = _("{name} has more than {count} million characters of code.")
+        raise Unreadable(sentence.format(name=name, count=MAX_CODE // 2**20))
     return Notebook(sources, receipts, list(dict.fromkeys(notes)))
 
 
@@ -112,14 +112,14 @@ def parse_json(data: bytes, name: str) -> object:
         Unreadable: if it is none.
     """
     if not data.strip():
-        said = _("{name} is empty; save it again before handing it in.")
-        raise Unreadable(said.format(name=name))
+        sentence = _("{name} is empty; save it again before handing it in.")
+        raise Unreadable(sentence.format(name=name))
     try:
         encoding = json.detect_encoding(data)
         text = data.decode(encoding)
     except UnicodeDecodeError:
-        said = _("{name} is not text; hand in the .ipynb file itself.")
-        raise Unreadable(said.format(name=name)) from None
+        sentence = _("{name} is not text; hand in the .ipynb file itself.")
+        raise Unreadable(sentence.format(name=name)) from None
     try:
         return json.loads(text)
     except json.JSONDecodeError as error:

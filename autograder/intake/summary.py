@@ -89,18 +89,18 @@ class Summary:
         ]
         if self.class_list.students:
             count = len(self.nobodys)
-            said = n_("{count} belongs to nobody", "{count} belong to nobody", count)
-            parts.append(said.format(count=count))
+            sentence = n_("{count} belongs to nobody", "{count} belong to nobody", count)
+            parts.append(sentence.format(count=count))
         if self.class_list.late is not None or self.late:
             parts.append(_("{count} late").format(count=len(self.late)))
         if self.class_list.students:
             count = len(self.missing)
-            said = n_(
+            sentence = n_(
                 "{count} of the list handed in nothing",
                 "{count} of the list handed in nothing",
                 count,
             )
-            parts.append(said.format(count=count))
+            parts.append(sentence.format(count=count))
         count = sum(entry.needs_person for entry in self.passed_over)
         if count:
             parts.append(_("{count} passed over").format(count=count))
@@ -111,7 +111,10 @@ class Summary:
         said = list(self.warnings)
         for row in self.nobodys[:_NAMED]:
             said.append(
-                _("{student} belongs to nobody: {reason}. In students.toml: {line}").format(
+                _(
+                    "{student} belongs to nobody: {reason}. "
+                    "In students.toml beside the class list: {line}"
+                ).format(
                     student=row.submission.student, reason=row.match.reason, line=row.match.line
                 )
             )

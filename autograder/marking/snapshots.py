@@ -15,11 +15,11 @@ from autograder.course.questions import Question
 from autograder.errors import CourseError
 from autograder.exchange.messages import Message
 from autograder.exchange.reasons import REASONS, UNREAD
-from autograder.kinds.mark import Mark, not_attempted, stopped
-from autograder.kinds.pack import unpack
-from autograder.kinds.registry import kind_of
-from autograder.kinds.snapshot import wrong
 from autograder.language import _
+from autograder.questions.mark import Mark, not_attempted, stopped
+from autograder.questions.pack import unpack
+from autograder.questions.registry import kind_of
+from autograder.questions.snapshot import wrong
 
 SNAPSHOTS = Path("notebooks/snapshots")
 
@@ -68,11 +68,11 @@ class SnapshotMarker:
         if snapshot is None or not snapshot["checked"]:
             return recorded(question, response)
         if state == "raised":
-            said = _("Evaluating {name} raises {error}.")
-            said = said.format(name=question.name, error=response.get("error"))
-            return wrong(question, said)
+            sentence = _("Evaluating {name} raises {error}.")
+            sentence = sentence.format(name=question.name, error=response.get("error"))
+            return wrong(question, sentence)
         if state != "given":
             why = _(REASONS.get(reason, UNREAD))
-            said = _("{name} cannot be checked: {why}.").format(name=question.name, why=why)
-            return wrong(question, said)
+            sentence = _("{name} cannot be checked: {why}.").format(name=question.name, why=why)
+            return wrong(question, sentence)
         return kind_of(question).mark_snapshot(question, snapshot, response)

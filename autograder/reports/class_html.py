@@ -85,8 +85,8 @@ def class_html(
     if intake:
         header.append(f'<p class="soft">{text(intake)}.</p>')
     if run is not None and run.isolation:
-        said = _("Student code was isolated with {isolation}.")
-        header.append(f'<p class="soft">{said.format(isolation=text(run.isolation))}</p>')
+        sentence = _("Student code was isolated with {isolation}.")
+        header.append(f'<p class="soft">{sentence.format(isolation=text(run.isolation))}</p>')
     to_do = to_do_html(view, found, links) if view is not None else ""
     predictions = predictions_html(found.predicted, found.count)
     sections = [
@@ -145,8 +145,8 @@ def _broken(statistics: Sequence[QuestionStatistics], count: int) -> str:
     if entries:
         return f"<ul>{''.join(entries)}</ul>"
     if count < FEWEST:
-        said = _("With fewer than {count} submissions that would be guesswork.")
-        return f"<p>{said.format(count=FEWEST)}</p>"
+        sentence = _("With fewer than {count} submissions that would be guesswork.")
+        return f"<p>{sentence.format(count=FEWEST)}</p>"
     return f"<p>{_('None.')}</p>"
 
 
@@ -367,10 +367,10 @@ def _time_and_failures(found: ClassFindings, run: Run | None, links: Links) -> s
     lines.append(f"<figure>{chart}</figure>")
     rows = [
         [
-            *(text(_(question)), _(status), text(said), str(students.count)),
+            *(text(_(question)), _(status), text(sentence), str(students.count)),
             links.all(students.first, count=students.count),
         ]
-        for (question, status, said), students in sorted(
+        for (question, status, sentence), students in sorted(
             found.failures.items(), key=lambda item: (-item[1].count, item[0])
         )
     ]
@@ -381,8 +381,10 @@ def _time_and_failures(found: ClassFindings, run: Run | None, links: Links) -> s
         listed = sum(students.count for students in found.failures.values())
         if listed < found.failure_count:
             left = found.failure_count - listed
-            said = n_("{count} more has another reason.", "{count} more have other reasons.", left)
-            lines.append(f"<p>{said.format(count=left)}</p>")
+            sentence = n_(
+                "{count} more has another reason.", "{count} more have other reasons.", left
+            )
+            lines.append(f"<p>{sentence.format(count=left)}</p>")
     else:
         lines.append(f"<p>{_('No response failed to run.')}</p>")
     return "\n".join(lines)

@@ -7,11 +7,11 @@ from dataclasses import dataclass, replace
 from autograder.course import Course
 from autograder.course.questions import Question
 from autograder.gradebook.record import Override, Record
-from autograder.kinds.mark import status_for
-from autograder.kinds.registry import kind_of
-from autograder.kinds.status import Status
 from autograder.language import _, chosen, n_
 from autograder.marking import Mark, Part
+from autograder.questions.mark import status_for
+from autograder.questions.registry import kind_of
+from autograder.questions.status import Status
 from autograder.reports.machine import most_for
 from autograder.reports.markdown import inline, isolated, markdown, text
 from autograder.reports.page import page
@@ -43,11 +43,11 @@ def feedback_html(shared: Feedback, record: Record) -> str:
     ]
     if record.open:
         waiting = ", ".join(map(text, record.open))
-        said = _("Not marked yet, a person will do it: {questions}.").format(questions=waiting)
-        header.append(f"<p>{said}</p>")
+        sentence = _("Not marked yet, a person will do it: {questions}.").format(questions=waiting)
+        header.append(f"<p>{sentence}</p>")
     header += _after_the_exam(course, record)
     if record.late_days:
-        said = n_(
+        sentence = n_(
             "Handed in {count} day late: {percent} % of the {points} points earned, that is "
             "{deduction}, are taken off.",
             "Handed in {count} days late: {percent} % of the {points} points earned, that is "
@@ -59,7 +59,7 @@ def feedback_html(shared: Feedback, record: Record) -> str:
             points=f"{record.earned:g}",
             deduction=f"{record.deduction:g}",
         )
-        header.append(f"<p>{said}</p>")
+        header.append(f"<p>{sentence}</p>")
     for note in record.graded.notes:
         header.append(f'<p class="soft">{text(_(note))}</p>')
     header.append(_index(course, record))
@@ -72,15 +72,17 @@ def feedback_html(shared: Feedback, record: Record) -> str:
     asked = _("Questions about a mark? Name its question and say what you meant.")
     footer = f"<p>{asked}</p>"
     if record.isolation.startswith("none"):
-        said = _("Your code was run with this isolation: {isolation}.")
-        footer += f"<p>{said.format(isolation=text(record.isolation))}</p>"
+        sentence = _("Your code was run with this isolation: {isolation}.")
+        footer += f"<p>{sentence.format(isolation=text(record.isolation))}</p>"
     title = _("Feedback for {name}").format(name=record.name)
     return page(title, "\n".join(header), "\n".join(chapters), footer, language=chosen())
 
 
 def _total(record: Record, most: float) -> str:
-    said = _("{earned} of {most} points so far") if record.open else _("{earned} of {most} points")
-    return said.format(earned=f"<strong>{record.total:g}</strong>", most=f"{most:g}")
+    sentence = (
+        _("{earned} of {most} points so far") if record.open else _("{earned} of {most} points")
+    )
+    return sentence.format(earned=f"<strong>{record.total:g}</strong>", most=f"{most:g}")
 
 
 def _after_the_exam(course: Course, record: Record) -> list[str]:
@@ -93,20 +95,20 @@ def _after_the_exam(course: Course, record: Record) -> list[str]:
             f"{text(chapter.title)} {scheme.weights.get(chapter.name, 0):g}"
             for chapter in course.chapters
         )
-        said = _("The chapters count for so many points: {weights}.").format(weights=weights)
-        lines.append(f"<p>{said}</p>")
+        sentence = _("The chapters count for so many points: {weights}.").format(weights=weights)
+        lines.append(f"<p>{sentence}</p>")
     if scheme.curve is not None:
         raw = replace(record, scheme=replace(scheme, curve=None)).earned
-        said = _("The points were adjusted for everybody: {before} became {after}.")
-        lines.append(f"<p>{said.format(before=f'{raw:g}', after=f'{record.earned:g}')}</p>")
+        sentence = _("The points were adjusted for everybody: {before} became {after}.")
+        lines.append(f"<p>{sentence.format(before=f'{raw:g}', after=f'{record.earned:g}')}</p>")
     if record.attempts and scheme.resubmission != "newest":
         past = ", ".join(f"{attempt.total:g}" for attempt in record.past())
-        said = (
+        sentence = (
             _("The best of your attempts counts; earlier ones: {points} points.")
             if scheme.resubmission == "best"
             else _("The mean of your attempts counts; earlier ones: {points} points.")
         )
-        lines.append(f"<p>{said.format(points=past)}</p>")
+        lines.append(f"<p>{sentence.format(points=past)}</p>")
     return lines
 
 

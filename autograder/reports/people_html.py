@@ -58,8 +58,8 @@ def needy_html(course: Course, found: ClassFindings, links: Links) -> str:
     """Who needs help, by section and name, with the chapters, the mistakes and the reasons."""
     needy, most = found.needy, found.most
     if not needy:
-        said = _("Nobody: everyone has at least half of the points, and all work could be run.")
-        return f"<p>{said}</p>"
+        sentence = _("Nobody: everyone has at least half of the points, and all work could be run.")
+        return f"<p>{sentence}</p>"
     rows = [
         [
             links.to(entry.student),

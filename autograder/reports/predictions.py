@@ -12,10 +12,11 @@ from autograder.course.predictions import Prediction
 from autograder.gradebook.record import Record
 from autograder.language import _
 from autograder.reports.markdown import inline, text
-from autograder.reports.svg import BLUE, Chart
+from autograder.reports.page import table
+from autograder.reports.svg import bar
 
 _BINS = 8
-_WIDE = 1000  # a largest number so many times the smallest is drawn by its magnitude
+_WIDE = 30  # a largest number so many times the smallest is drawn by its magnitude
 _MAGNITUDES = (1, 2, 5)
 
 
@@ -59,8 +60,8 @@ class Predicted:
 
     def _range(self, low: float, high: float) -> str:
         if not self.asked.integer:
-            said = _("{low} to below {high}")
-            return said.format(low=f"{low:g}", high=f"{high:g}")
+            sentence = _("{low} to below {high}")
+            return sentence.format(low=f"{low:g}", high=f"{high:g}")
         first, last = math.ceil(low), math.ceil(high) - 1
         if first == last:
             return f"{first:,}"
@@ -68,29 +69,24 @@ class Predicted:
 
 
 def predictions_html(found: Sequence[Predicted], students: int) -> str:
-    """A chart for each thing that anybody predicted; empty if nobody did."""
-    charts = [_chart(entry, students) for entry in found if entry.count]
-    return "\n".join(charts)
+    """A table with bars for each thing that anybody predicted; empty if nobody did."""
+    counted = [_counted(entry, students) for entry in found if entry.count]
+    return f'<div class="predictions">{"".join(counted)}</div>' if counted else ""
 
 
-def _chart(entry: Predicted, students: int) -> str:
+def _counted(entry: Predicted, students: int) -> str:
     rows = entry.rows()
-    row = 26
     most = max(count for _name, count in rows)
-    chart = Chart(560, row * len(rows) + 12, (0, most), (len(rows), 0), left=250, right=48, top=6)
-    chart.bottom = 6
-    for index, (name, count) in enumerate(rows):
-        chart.box(0, index + 0.15, count, index + 0.85, BLUE)
-        middle = chart.y(index + 0.5) + 4
-        chart.label(242, middle, name if len(name) < 40 else f"{name[:38]}…", "end")
-        chart.label(chart.x(count) + 8, middle, str(count), "start")
-    said = "; ".join(f"{name}: {count}" for name, count in rows)
-    title = _("Predictions for {question}").format(question=entry.asked.id)
-    share = _("{some} of {all} predicted.").format(some=entry.count, all=students)
+    sentence = _("{some} of {all}")
+    made = [
+        [inline(name), str(count), bar(count / most, sentence.format(some=count, all=entry.count))]
+        for name, count in rows
+    ]
+    caption = _("{some} of {all} predicted.").format(some=entry.count, all=students)
+    header = [_("prediction"), _("students"), _("share")]
     return (
-        f"<h3>{text(entry.asked.id)}</h3>\n<p>{inline(entry.asked.prompt)}</p>\n"
-        f"<figure>{chart.svg(title, said + '.')}<figcaption>{share}"
-        "</figcaption></figure>"
+        f'<div class="predicted"><h3>{text(entry.asked.id)}</h3>\n'
+        f"<p>{inline(entry.asked.prompt)}</p>\n{table(caption, header, made, {1})}</div>"
     )
 
 

@@ -12,9 +12,9 @@ from autograder.course import Course
 from autograder.course.questions import Question
 from autograder.gradebook.record import Record
 from autograder.intake.long_list import LongList
-from autograder.kinds.registry import kind_of
 from autograder.language import N_, _
 from autograder.marking import Mark
+from autograder.questions.registry import kind_of
 from autograder.reports.machine import most_for
 
 FEWEST = 10  # below that, a correlation is chance
@@ -268,8 +268,8 @@ def needs_help(course: Course, record: Record) -> Needy | None:
     if record.graded.status != "unreadable":
         open_ones = statuses["not attempted"]
         if open_ones >= len(course.questions) / 2:
-            said = _("{count} of {all} questions not attempted")
-            reasons.append(said.format(count=open_ones, all=len(course.questions)))
+            sentence = _("{count} of {all} questions not attempted")
+            reasons.append(sentence.format(count=open_ones, all=len(course.questions)))
         for status, words in (
             ("error", N_("{count} questions ended with an exception")),
             ("timeout", N_("{count} questions ended at the time limit")),

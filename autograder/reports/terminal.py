@@ -15,10 +15,10 @@ from autograder.course import Course
 from autograder.exchange.printable import printable as without_controls
 from autograder.gradebook.changes import Change
 from autograder.gradebook.record import Override, Record, names_of
-from autograder.kinds.registry import kind_of
-from autograder.kinds.status import Status
 from autograder.language import _, n_
 from autograder.marking import Mark
+from autograder.questions.registry import kind_of
+from autograder.questions.status import Status
 from autograder.reports.machine import most_for
 
 NARROW = 60  # columns, below which tables are written as lines
@@ -108,9 +108,9 @@ def print_changes(console: Console, earned: Mapping[str, float], changes: Sequen
         of_student = list(entries)
         before = earned[student]
         gained = sum(change.points for change in of_student)
-        said = _("{student}: {before} → {after} points")
+        sentence = _("{student}: {before} → {after} points")
         after = f"{round(before + gained, 2):g}"
-        _line(console, said.format(student=student, before=f"{before:g}", after=after))
+        _line(console, sentence.format(student=student, before=f"{before:g}", after=after))
         for change in of_student:
             kept = f"; {_('the override stays')}" if change.overridden else ""
             _line(
@@ -120,12 +120,12 @@ def print_changes(console: Console, earned: Mapping[str, float], changes: Sequen
     if not changes:
         _line(console, _("No mark differs."))
         return
-    said = n_(
+    sentence = n_(
         "{marks} marks of {count} student differ.",
         "{marks} marks of {count} students differ.",
         count,
     )
-    _line(console, said.format(marks=len(changes), count=count))
+    _line(console, sentence.format(marks=len(changes), count=count))
 
 
 def print_key(console: Console, course: Course, record: Record) -> None:
@@ -136,10 +136,10 @@ def print_key(console: Console, course: Course, record: Record) -> None:
     own = course.for_student(record.graded.numbers_of)
     console.print(f"[bold]{escape(printable(record.name))}[/]", soft_wrap=True)
     whose = record.graded.numbers_of if course.personal else ""
-    said = (
+    sentence = (
         _("marked by the numbers of {name}") if whose else _("marked by the numbers of the sheet")
     )
-    _line(console, said.format(name=whose))
+    _line(console, sentence.format(name=whose))
     for question in own.questions.values():
         numbers = own.numbers(question.id) or {}
         told = ", ".join(f"{name} = {value:g}" for name, value in numbers.items())

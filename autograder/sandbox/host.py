@@ -16,7 +16,6 @@ from contextlib import suppress
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-import autograder
 from autograder.course import Settings
 from autograder.errors import AutograderError, MachineError, machine_error, short_of
 from autograder.exchange.channel import Channel
@@ -28,7 +27,7 @@ from autograder.sandbox.identity import OwnIdentity
 from autograder.sandbox.own_folder import OwnFolder
 
 _SYSTEM_FILES = ("/etc/ld.so.cache", "/etc/localtime")
-_PACKAGE = Path(autograder.__file__).parent
+_PACKAGE = Path(__file__).parents[1]
 _WARM_SECONDS = 120.0
 _ANSWER_SECONDS = 15.0
 _SPARE_PROCESSES = 256  # what an instructor may start while a notebook runs

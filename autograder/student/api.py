@@ -9,8 +9,8 @@ from pathlib import Path
 
 from autograder.course import Course, load_course
 from autograder.errors import AutograderError, UsageError
-from autograder.kinds.registry import kind_of
 from autograder.language import N_, _, follow_environment
+from autograder.questions.registry import kind_of
 from autograder.student import unsaved
 from autograder.student.course_path import course_of_notebook, put_course_first
 from autograder.student.desk import Desk
@@ -201,8 +201,8 @@ def _check(id: str, response: object) -> object:
         chosen = desk.entry(question).get("response")
         return MarkView(question, desk.mark_choice(question, count=False), chosen)
     if response is MISSING:
-        said = _("Give your response too: {call}.")
-        raise UsageError(said.format(call=f'check("{id}", {question.name})'))
+        sentence = _("Give your response too: {call}.")
+        raise UsageError(sentence.format(call=f'check("{id}", {question.name})'))
     if desk.was_typed(question, response):
         response = ...  # the field gave it to the variable: the field still holds the answer
     mark = desk.mark_value(question, response)
@@ -243,8 +243,8 @@ def _predict(id: str, value: object) -> object:
         before = desk.prediction(prediction)
         standing = desk.predict(prediction, value)
         if before is not None and prediction.read(value) != standing:
-            said = _("You predicted {value} before; that stands.")
-            print(said.format(value=prediction.in_words(standing)))
+            sentence = _("You predicted {value} before; that stands.")
+            print(sentence.format(value=prediction.in_words(standing)))
 
     def widget() -> Shown:
         from autograder.student.widgets.prediction import PredictionWidget
@@ -313,9 +313,9 @@ def _pack(desk: Desk, to: Path | None) -> SubmissionView:
     nameless = ""
     if not desk.student and asks_for_a_name(packed.folder):
         call = '`me("Ada Lovelace")`'
-        said = _(
+        sentence = _(
             "You have not said who you are. Run {call} with your own name, then submit() again."
         )
-        nameless = said.format(call=call)
+        nameless = sentence.format(call=call)
     count = len(desk.course.questions)
     return SubmissionView(packed, unanswered, count, warning, advice, taken, nameless)

@@ -27,11 +27,11 @@ def course_of_notebook() -> Path:
     except CourseError:
         raise CourseError(_(OUTSIDE)) from None
     if not root.is_dir():
-        said = _(
+        sentence = _(
             "AUTOGRADER_COURSE names {folder}, which does not exist; "
             "correct it with %env, or remove it and open the notebook in its course."
         )
-        raise CourseError(said.format(folder=root))
+        raise CourseError(sentence.format(folder=root))
     return root
 
 

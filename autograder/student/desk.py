@@ -15,10 +15,10 @@ from autograder.exchange.exception_text import in_words
 from autograder.exchange.messages import Message, Value, Values
 from autograder.exchange.replies import clean_told
 from autograder.exchange.responses import Entry
-from autograder.kinds.mark import Mark, not_attempted, stopped
-from autograder.kinds.registry import kind_of
 from autograder.language import _
 from autograder.marking.snapshots import recorded
+from autograder.questions.mark import Mark, not_attempted, stopped
+from autograder.questions.registry import kind_of
 from autograder.sandbox.inside.evaluate import describe, evaluate
 from autograder.student.frontend import running_shell
 from autograder.student.marker_client import marker_for
@@ -78,10 +78,10 @@ class Desk:
                 return ""
             return _("These are the sheet's numbers: say who you are, and you have your own.")
         if varies:
-            said = _("Answered by {name}, whose own numbers these are.")
+            sentence = _("Answered by {name}, whose own numbers these are.")
         else:
-            said = _("Answered by {name}.")
-        return said.format(name=self.student)
+            sentence = _("Answered by {name}.")
+        return sentence.format(name=self.student)
 
     def mend(self) -> list[str]:
         """Put right what is damaged or missing, and say what was done.
@@ -310,8 +310,10 @@ def _with_exception(mark: Mark, reply: Message) -> Mark:
     told = in_words(clean_told(reply.get("told")))
     if not told or mark.status == "right":
         return mark
-    said = _("The exception on an input that you can see: {told}.").format(told=told.rstrip("."))
-    return replace(mark, feedback=f"{mark.feedback} {said}", told=told)
+    sentence = _("The exception on an input that you can see: {told}.").format(
+        told=told.rstrip(".")
+    )
+    return replace(mark, feedback=f"{mark.feedback} {sentence}", told=told)
 
 
 def _is_stub(response: object) -> bool:

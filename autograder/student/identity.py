@@ -5,8 +5,8 @@ from __future__ import annotations
 from autograder.course import Course
 from autograder.errors import UsageError
 from autograder.exchange.identity import FILE, clean, said_to_be
-from autograder.kinds.variables import canonical
 from autograder.language import _
+from autograder.questions.variables import canonical
 from autograder.student.responses import Responses, responses_folder
 
 
@@ -25,19 +25,19 @@ def warning(course: Course, name: object) -> str:
     if not before or canonical(before) == canonical(new):
         return ""
     if not course.personal:
-        said = _("You have been {name} so far. Your answers stay as they are.")
-        return said.format(name=before)
-    said = _(
+        sentence = _("You have been {name} so far. Your answers stay as they are.")
+        return sentence.format(name=before)
+    sentence = _(
         "You have been {name} so far. With another name your questions have other numbers, and "
         "what you have answered counts for the new ones."
     )
-    return said.format(name=before)
+    return sentence.format(name=before)
 
 
 def _read(name: object) -> str:
     if not isinstance(name, str | int) or isinstance(name, bool) or not clean(str(name)):
-        said = _("Say who you are as your class list does, such as {call}.")
-        raise UsageError(said.format(call='me("Ada Lovelace")'))
+        sentence = _("Say who you are as your class list does, such as {call}.")
+        raise UsageError(sentence.format(call='me("Ada Lovelace")'))
     return clean(str(name))
 
 
@@ -51,17 +51,19 @@ def become(course: Course, name: object) -> str:
     new, before = _read(name), student_of(course)
     _file(course).update(FILE, lambda entry: {**entry, "response": new})
     if not course.personal:
-        said = _("You are {name}. Everybody has the same numbers in this course.")
-        return said.format(name=new)
+        sentence = _("You are {name}. Everybody has the same numbers in this course.")
+        return sentence.format(name=new)
     if before and canonical(before) != canonical(new):
-        said = _(
+        sentence = _(
             "You are {name} from now on, not {before}: your questions have other numbers. What you "
             "answered before belongs to {before}'s numbers; answer it again, or go back with "
             "{call}."
         )
-        return said.format(name=new, before=before, call=f"me({before!r})")
-    said = _("You are {name}. The numbers in your questions are yours: run the cells below again.")
-    return said.format(name=new)
+        return sentence.format(name=new, before=before, call=f"me({before!r})")
+    sentence = _(
+        "You are {name}. The numbers in your questions are yours: run the cells below again."
+    )
+    return sentence.format(name=new)
 
 
 def _file(course: Course) -> Responses:

@@ -148,11 +148,11 @@ class Responses:
 
     def _refusal(self, what: str, error: Exception) -> str:
         reason = getattr(error, "strerror", None) or _("another program holds it")
-        said = _(
+        sentence = _(
             "{what} was NOT saved: {folder} cannot be written ({reason}). "
             "Move the course to a folder of your own and answer again."
         )
-        return said.format(what=what, folder=self.path.parent, reason=reason)
+        return sentence.format(what=what, folder=self.path.parent, reason=reason)
 
     def _is_sound(self) -> bool:
         return self.path.exists() and self._read() is not None

@@ -103,8 +103,8 @@ def unsaved_work(folder: Path) -> str:
         ).format(how=_(HOW))
     since = [run for run in runs if run.saved.get(running.name, running.version) == running.version]
     if any(run.cell in running.by_id and running.by_id[run.cell] != run.source for run in since):
-        said = _("{file} differs from what you ran last. {how}.")
-        return said.format(file=running.name, how=_(HOW))
+        sentence = _("{file} differs from what you ran last. {how}.")
+        return sentence.format(file=running.name, how=_(HOW))
     lost = [run for run in since if not running.knows(run) and not hands_in(run.source)]
     if lost:
         line = lost[-1].source.splitlines()[0].replace("`", "'")

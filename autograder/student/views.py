@@ -5,10 +5,10 @@ from __future__ import annotations
 from autograder.course import Course
 from autograder.course.predictions import Guess, Prediction
 from autograder.course.questions import Question
-from autograder.kinds.mark import Mark
-from autograder.kinds.registry import kind_of
-from autograder.kinds.status import Status
 from autograder.language import _, n_
+from autograder.questions.mark import Mark
+from autograder.questions.registry import kind_of
+from autograder.questions.status import Status
 from autograder.student.receipts import RECEIPT, receipt
 from autograder.student.responses import answered, only_recorded, points
 from autograder.student.submission import Packed
@@ -21,8 +21,8 @@ def number(value: float) -> str:
 
 def points_of(earned: float, most: float) -> str:
     """``1 of 1 point``, ``1 of 2 points``."""
-    said = n_("{earned} of {most} point", "{earned} of {most} points", most)
-    return said.format(earned=number(earned), most=number(most))
+    sentence = n_("{earned} of {most} point", "{earned} of {most} points", most)
+    return sentence.format(earned=number(earned), most=number(most))
 
 
 def in_points(count: float) -> str:
@@ -95,10 +95,10 @@ class IdentityView(_View):
     def lines(self) -> list[str]:
         call = '`me("Ada Lovelace")`'
         if self.student:
-            said = _("You are **{name}**. To be somebody else, run {call} with that name.")
-            return [said.format(name=self.student, call=call)]
-        said = _("You have not said who you are. To say it, run {call} with your own name.")
-        return [said.format(call=call)]
+            sentence = _("You are **{name}**. To be somebody else, run {call} with that name.")
+            return [sentence.format(name=self.student, call=call)]
+        sentence = _("You have not said who you are. To say it, run {call} with your own name.")
+        return [sentence.format(call=call)]
 
 
 class PracticeView(_View):
@@ -108,8 +108,8 @@ class PracticeView(_View):
         self.summary = summary
 
     def lines(self) -> list[str]:
-        said = _("Practice needs JupyterLab or another program that shows widgets.")
-        return [f"{self.summary} {said}"]
+        sentence = _("Practice needs JupyterLab or another program that shows widgets.")
+        return [f"{self.summary} {sentence}"]
 
 
 class PredictionView(_View):
@@ -123,13 +123,13 @@ class PredictionView(_View):
         prediction = self.prediction
         lines = [f"**{prediction.id} · {_('Predict')}**", "", prediction.prompt, ""]
         if self.value is not None:
-            said = _("You predicted: {value}").format(value=prediction.in_words(self.value))
-            return [*lines, said]
+            sentence = _("You predicted: {value}").format(value=prediction.in_words(self.value))
+            return [*lines, sentence]
         lines += [f"{n}. {text}" for n, text in enumerate(prediction.choices, 1)]
         example = "1" if prediction.choices else "NUMBER"
         call = f'`predict("{prediction.id}", {example})`'
-        said = _("Not predicted. To predict, run {call}.").format(call=call)
-        return [*lines, *[""] * bool(prediction.choices), said]
+        sentence = _("Not predicted. To predict, run {call}.").format(call=call)
+        return [*lines, *[""] * bool(prediction.choices), sentence]
 
     def receipt(self) -> dict[str, object] | None:
         return None if self.value is None else receipt(self.prediction.id, self.value)
@@ -189,8 +189,8 @@ class HintView(_View):
             return [_("{question} has no hints.").format(question=self.question.id)]
         lines = []
         for number, hint in enumerate(hints[: self.count], 1):
-            said = _("Hint {number} of {count}").format(number=number, count=len(hints))
-            lines += [f"**{said}:** {hint}", ""]
+            sentence = _("Hint {number} of {count}").format(number=number, count=len(hints))
+            lines += [f"**{sentence}:** {hint}", ""]
         if self.count < len(hints):
             return [*lines, _("For the next one, run this again.")]
         return lines[:-1]

@@ -3,9 +3,6 @@
 No formula of the chapter stands here, so that a simulation can confirm or refute one.
 """
 
-from collections.abc import Callable
-from typing import Any
-
 import numpy as np
 from matplotlib.colors import ListedColormap
 
@@ -15,6 +12,7 @@ from notebooks.figures.style import (
     LIGHT,
     ORANGE,
     VERMILLION,
+    StudentFunction,
     attempt,
     figure,
     not_written,
@@ -41,7 +39,7 @@ def _clean(
     return clean
 
 
-def _number(value: Any) -> float | None:
+def _number(value: object) -> float | None:
     """Return a student's response as a number, or None while it is not one."""
     return float(value) if isinstance(value, int | float | np.number) else None
 
@@ -50,7 +48,7 @@ def waiting_times(
     N: int,
     w: float,
     size: int,
-    claimed: Any,
+    claimed: object,
     rng: np.random.Generator,
     runs: int = 10_000,
     p: float = 0.95,
@@ -99,7 +97,7 @@ def waiting_times(
 
 
 def runs_that_failed(
-    N: int, w: float, iterations: int, claimed: Any, rng: np.random.Generator, runs: int = 1000
+    N: int, w: float, iterations: int, claimed: object, rng: np.random.Generator, runs: int = 1000
 ) -> None:
     """Draw each of many runs as a square, dark if none of its samples was free of outliers.
 
@@ -132,7 +130,7 @@ def runs_that_failed(
 def noisy_inliers(
     N: int,
     w: float,
-    iterations: Any,
+    iterations: object,
     rng: np.random.Generator,
     predicted: float | None = None,
     runs: int = 1000,
@@ -196,7 +194,7 @@ def noisy_inliers(
     )
 
 
-def growth(required_iterations: Callable[..., Any], sizes: dict[str, int], p: float = 0.95) -> None:
+def growth(required_iterations: StudentFunction, sizes: dict[str, int], p: float = 0.95) -> None:
     """Draw the student's numbers of iterations over the share of inliers, for each sample size."""
     fig = figure(8, 3.8)
     axes = fig.subplots()

@@ -1,6 +1,5 @@
 """Pictures of RANSAC at work: a hypothesis, its inliers, its outliers."""
 
-from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -13,6 +12,7 @@ from notebooks.figures.style import (
     ORANGE,
     SKY,
     VERMILLION,
+    StudentFunction,
     attempt,
     draw_line,
     figure,
@@ -117,7 +117,7 @@ def guesses(points: np.ndarray, threshold: float, rng: np.random.Generator) -> N
 
 
 def found_line(
-    points: np.ndarray, ransac_line: Callable[..., Any], threshold: float, iterations: int
+    points: np.ndarray, ransac_line: StudentFunction, threshold: float, iterations: int
 ) -> None:
     """Draw the points and the line and inliers that the student's ransac_line finds."""
     fig = figure(7, 4.6)

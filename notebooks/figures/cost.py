@@ -52,7 +52,7 @@ def squared_distances(points: np.ndarray, line: Any) -> None:
     )
 
 
-def cost_over_angle(clouds: dict[str, np.ndarray], angle: Any = None) -> None:
+def cost_over_angle(clouds: dict[str, np.ndarray], angle: object = None) -> None:
     """Draw S over alpha for each cloud, always with the best r, and mark hill and valley.
 
     `angle` is the student's expression in S_xx, S_yy, S_xy (sympy); it is marked on each curve

@@ -1,8 +1,5 @@
 """Pictures of the examples worked by hand in chapter 1, with the student's own results."""
 
-from collections.abc import Callable
-from typing import Any
-
 import numpy as np
 
 from notebooks.figures.style import (
@@ -11,6 +8,7 @@ from notebooks.figures.style import (
     GREEN,
     LIGHT,
     ORANGE,
+    StudentFunction,
     attempt,
     figure,
     not_written,
@@ -21,7 +19,7 @@ from notebooks.figures.style import (
 
 
 def nearest_words(
-    descriptors: np.ndarray, words: np.ndarray, assign_words: Callable[..., Any]
+    descriptors: np.ndarray, words: np.ndarray, assign_words: StudentFunction
 ) -> None:
     """Draw descriptors and words of two entries, each descriptor tied to the word it was given."""
     fig = figure(6, 3.4)
@@ -47,7 +45,7 @@ def nearest_words(
 
 
 def way_down(
-    descriptor: np.ndarray, levels: list[np.ndarray], descend_tree: Callable[..., Any]
+    descriptor: np.ndarray, levels: list[np.ndarray], descend_tree: StudentFunction
 ) -> None:
     """Draw a tree of two levels over its centres (two entries each) and where a descriptor ends."""
     fig = figure(8, 2.8)
@@ -82,7 +80,7 @@ def way_down(
 
 
 def occurrences(
-    words_by_image: list[np.ndarray], word_count: int, build_inverted_file: Callable[..., Any]
+    words_by_image: list[np.ndarray], word_count: int, build_inverted_file: StudentFunction
 ) -> None:
     """Draw which image has which word (circles), and what the inverted file lists (dots)."""
     fig = figure(6, 2.6)

@@ -1,8 +1,5 @@
 """Pictures of fitted lines: what a fit finds, how certain it is, and what ruins it."""
 
-from collections.abc import Callable
-from typing import Any
-
 import numpy as np
 
 from notebooks.figures.style import (
@@ -13,6 +10,7 @@ from notebooks.figures.style import (
     PREDICTED,
     SKY,
     VERMILLION,
+    StudentFunction,
     attempt,
     draw_line,
     figure,
@@ -45,7 +43,7 @@ def scan(points: np.ndarray, wall: np.ndarray | None = None) -> None:
     show(fig, f"A laser scan of {len(points)} points from above. The robot looks along x.")
 
 
-def fitted_line(points: np.ndarray, fit_line: Callable[..., Any]) -> None:
+def fitted_line(points: np.ndarray, fit_line: StudentFunction) -> None:
     """Draw the points with the line that the student's fit_line finds."""
     fig = figure(7, 4.4)
     axes = fig.subplots()
@@ -68,8 +66,8 @@ def fitted_line(points: np.ndarray, fit_line: Callable[..., Any]) -> None:
 
 def uncertain_line(
     points: np.ndarray,
-    fit_line: Callable[..., Any],
-    line_covariance: Callable[..., Any],
+    fit_line: StudentFunction,
+    line_covariance: StudentFunction,
     sigma: float,
     predicted: str | None = None,
 ) -> None:
@@ -106,7 +104,7 @@ def uncertain_line(
 
 def one_outlier(
     wall: np.ndarray,
-    fit_line: Callable[..., Any],
+    fit_line: StudentFunction,
     predicted: float | None = None,
     offsets: tuple[float, ...] = (0.0, 1.0, 3.0),
 ) -> None:
@@ -157,8 +155,8 @@ def one_outlier(
 
 def scattered_fits(
     wall: np.ndarray,
-    fit_line: Callable[..., Any],
-    line_covariance: Callable[..., Any],
+    fit_line: StudentFunction,
+    line_covariance: StudentFunction,
     sigma: float,
     rng: np.random.Generator,
     times: int = 1000,

@@ -1,14 +1,12 @@
 """A picture of what the assumption of equal noise in all directions costs for a laser."""
 
-from collections.abc import Callable
-from typing import Any
-
 import numpy as np
 
 from notebooks.figures.style import (
     BLUE,
     GRAY,
     ORANGE,
+    StudentFunction,
     attempt,
     figure,
     note,
@@ -23,8 +21,8 @@ NOT_YET = "A function that this picture needs is not written yet."
 
 def laser_errors(
     wall: np.ndarray,
-    fit_line: Callable[..., Any],
-    line_covariance: Callable[..., Any],
+    fit_line: StudentFunction,
+    line_covariance: StudentFunction,
     sigma: float,
     step: float,
     rng: np.random.Generator,

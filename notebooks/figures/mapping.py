@@ -1,6 +1,5 @@
 """Pictures of the capstone: all walls of a scan, and the map of the building."""
 
-from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -12,6 +11,7 @@ from notebooks.figures.style import (
     ORANGE,
     PALETTE,
     VERMILLION,
+    StudentFunction,
     attempt,
     figure,
     not_written,
@@ -33,7 +33,7 @@ def _ends(points: np.ndarray, line: Any) -> np.ndarray:
 
 def walls_of_scan(
     points: np.ndarray,
-    find_walls: Callable[..., Any],
+    find_walls: StudentFunction,
     threshold: float,
     iterations: int,
     min_points: int,
@@ -74,7 +74,7 @@ def corridor(x: np.ndarray, y: np.ndarray, path: np.ndarray) -> None:
 
 def corridor_walls(
     scans: Any,
-    find_walls: Callable[..., Any],
+    find_walls: StudentFunction,
     every: int,
     threshold: float,
     iterations: int,

@@ -16,6 +16,7 @@ from notebooks.figures.style import (
     ORANGE,
     PREDICTED,
     VERMILLION,
+    StudentFunction,
     attempt,
     figure,
     note,
@@ -123,7 +124,7 @@ def matches(
 
 
 def agreement(
-    agreeing: Callable[..., Any],
+    agreeing: StudentFunction,
     queries: tuple[str, ...],
     walk: tuple[str, ...],
     pairs: Pairs,
@@ -173,7 +174,7 @@ def agreement(
 
 
 def first_places(
-    searches: dict[str, Callable[..., Any]],
+    searches: dict[str, StudentFunction],
     images: Images,
     pairs: Pairs,
     predicted: float | None = None,
@@ -229,7 +230,7 @@ class _Decisions(NamedTuple):
 
 
 def precision_recall(
-    scores: dict[str, Callable[..., Any]],
+    scores: dict[str, StudentFunction],
     walk: tuple[str, ...],
     queries: tuple[str, ...],
     pairs: Pairs,
@@ -279,7 +280,7 @@ def precision_recall(
 
 
 def _decisions(
-    score: Callable[..., Any],
+    score: StudentFunction,
     names: tuple[str, ...],
     walk: tuple[str, ...],
     pairs: Pairs,

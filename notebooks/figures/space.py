@@ -1,6 +1,5 @@
 """Pictures of point clouds and of the planes in them."""
 
-from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -9,6 +8,7 @@ from matplotlib.figure import Figure
 from notebooks.figures.style import (
     GRAY,
     PALETTE,
+    StudentFunction,
     attempt,
     figure,
     not_written,
@@ -60,7 +60,7 @@ def cloud(points: np.ndarray, colors: np.ndarray) -> None:
 
 def largest_planes(
     points: np.ndarray,
-    ransac_plane: Callable[..., Any],
+    ransac_plane: StudentFunction,
     threshold: float,
     iterations: int,
     predicted: int | None = None,
@@ -107,7 +107,7 @@ def largest_planes(
 
 def _tried(
     points: np.ndarray,
-    ransac_plane: Callable[..., Any],
+    ransac_plane: StudentFunction,
     threshold: float,
     iterations: int,
     largest: int,

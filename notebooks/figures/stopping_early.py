@@ -1,6 +1,5 @@
 """Pictures of when RANSAC may stop, and of what it may count."""
 
-from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -12,6 +11,7 @@ from notebooks.figures.style import (
     GRAY,
     ORANGE,
     VERMILLION,
+    StudentFunction,
     attempt,
     figure,
     not_written,
@@ -28,7 +28,7 @@ ENOUGH = 0.9  # a run has found the wall if its line keeps this share of the mos
 
 def stopping(
     points: np.ndarray,
-    adaptive_stop: Callable[..., Any],
+    adaptive_stop: StudentFunction,
     threshold: float,
     p: float,
     rng: np.random.Generator,
@@ -81,7 +81,7 @@ def _agreeing(points: np.ndarray, threshold: float, rng: np.random.Generator) ->
 
 
 def pushed_line(
-    points: np.ndarray, line: Any, msac_cost: Callable[..., Any], threshold: float
+    points: np.ndarray, line: Any, msac_cost: StudentFunction, threshold: float
 ) -> None:
     """Draw what a line costs that is pushed across (N, 2) points, by counting and by MSAC."""
     r, alpha = line

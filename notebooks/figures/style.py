@@ -12,6 +12,9 @@ from IPython.display import display
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+# What a student writes: its results are looked at before they are drawn.
+StudentFunction = Callable[..., Any]
+
 # Okabe and Ito's palette: told apart by every kind of colour vision. Where two colours carry a
 # meaning, the markers differ as well.
 BLUE = "#0072B2"
@@ -98,7 +101,7 @@ def note(axes: Axes, text: str) -> None:
     )
 
 
-def predicted_beside(fig: Figure, predicted: Any, unit: str = "", truth: str = "") -> str:
+def predicted_beside(fig: Figure, predicted: object, unit: str = "", truth: str = "") -> str:
     """Write what was predicted above the picture, and what is true if that can be said so briefly.
 
     Returns the words, for the text of the picture.
@@ -115,7 +118,7 @@ def predicted_beside(fig: Figure, predicted: Any, unit: str = "", truth: str = "
     return said
 
 
-def attempt(function: Callable[..., Any], *args: Any) -> Any:
+def attempt(function: StudentFunction, *args: Any) -> Any:
     """Return what a student's function returns, or None while it is not written.
 
     Any other exception passes through: its traceback helps.
@@ -126,7 +129,7 @@ def attempt(function: Callable[..., Any], *args: Any) -> Any:
         return None
 
 
-def not_written(function: Callable[..., Any]) -> str:
+def not_written(function: StudentFunction) -> str:
     """Return the remark for a function that is still a stub."""
     return f"{function.__name__} is not written yet.\nWrite it above and run this cell again."
 

@@ -6,8 +6,8 @@ import pytest
 
 from autograder.authoring.proof import prove_course
 from autograder.authoring.proof_by_mutants import prove_by_mutants, tried_styles
-from autograder.marking.mutants.edits import edited
-from autograder.marking.mutants.formula_edits import edited_formulas
+from autograder.mutants.edits import edited
+from autograder.mutants.formula_edits import edited_formulas
 
 ANSWERS = "solutions/answers/kitchen.toml"
 

@@ -13,8 +13,11 @@ import pytest
 
 from autograder.authoring import new_course
 from autograder.authoring.new_course import Source
+from autograder.cli import main
+from autograder.cli.extras import missing_extra
 from autograder.course import load_course
 from autograder.errors import UsageError
+from autograder.questions.registry import kind_names
 
 ROOT = Path(__file__).parents[2]
 KALMAN = ROOT / "tests/courses/kalman"
@@ -44,18 +47,18 @@ def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def test_a_new_course_asks_a_question_of_each_kind_with_two_mistakes(made: Path):
     course = load_course(made)
     kinds = [question.kind for question in course.questions.values()]
-    assert sorted(kinds) == ["expression", "function", "number", "order", "true_false"]
+    assert sorted(kinds) == sorted(kind_names())
     for id, answer in course.key.items():
         mistakes = [entry for entry in answer.alternatives if entry.is_mistake]
         told = getattr(answer, "statements", mistakes)
-        assert len(told) == 2, id
+        assert len(told) == 2 or course.question(id).kind == "text", id
 
 
 def test_a_new_course_proves_itself_and_is_built(made: Path):
     done = run("check", folder=made)
     assert (done.returncode, done.stdout.splitlines(keepends=True)[-1]) == (
         0,
-        "The course is sound: 5 questions prove themselves.\n",
+        "The course is sound: 6 questions prove themselves.\n",
     ), done.stdout + done.stderr
     assert run("build", "--check", folder=made).returncode == 0
 
@@ -70,6 +73,34 @@ def test_a_new_course_passes_its_own_tests_with_nbval(made: Path):
     )
     assert done.returncode == 0, done.stdout
     assert "passed" in done.stdout
+
+
+def test_where_matplotlib_is_not_installed_the_course_is_there_and_the_next_step_told(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+):
+    """As in an environment with nothing but the engine."""
+    (tmp_path / "poor").mkdir()
+    (tmp_path / "poor/matplotlib.py").write_text(
+        "raise ModuleNotFoundError(\"No module named 'matplotlib'\", name='matplotlib')\n"
+    )
+    monkeypatch.setenv("PYTHONPATH", str(tmp_path / "poor"))
+    done = run("new", "my course", folder=tmp_path)
+    assert (done.returncode, done.stderr) == (0, ""), done.stderr
+    assert "1_pendulum.py, line 9 raises ModuleNotFoundError: No module named" in done.stdout
+    assert "the course needs it" in done.stdout
+    assert "cd 'my course' && pip install -e \".[author,lab]\" && autograder build" in done.stdout
+    assert (tmp_path / "my course/notebooks/1_pendulum.ipynb").is_file()
+
+
+def test_a_module_of_an_extra_is_told_in_one_sentence(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys
+):
+    monkeypatch.setitem(sys.modules, "nbformat", None)
+    monkeypatch.delitem(sys.modules, "autograder.authoring.build", raising=False)
+    assert main(["new", str(tmp_path / "mine")]) == 1
+    said = capsys.readouterr().err
+    assert said.startswith("autograder: nbformat is not installed, which writing a course needs")
+    assert not (tmp_path / "mine").exists()
 
 
 def test_a_new_course_is_complete(made: Path):
@@ -123,6 +154,13 @@ SOURCES = {
 }
 
 
+WANTED = {
+    "an index": 'pip install "course-autograder[author,lab]"',
+    "a folder": 'pip install "/opt/it/engine[author,lab]"',
+    "git": '"course-autograder[author,lab] @ git+https://example.org/x.git@abc#subdirectory=aut',
+}
+
+
 @pytest.mark.parametrize("name", SOURCES)
 def test_the_engine_is_taken_from_where_it_came(name: str, tmp_path: Path, monkeypatch):
     source, expected = SOURCES[name]
@@ -130,6 +168,13 @@ def test_the_engine_is_taken_from_where_it_came(name: str, tmp_path: Path, monke
     new_course.new_course(tmp_path / "mine", "X")
     table = tomllib.loads((tmp_path / "mine/pyproject.toml").read_text())
     assert table["tool"].get("uv", {}).get("sources", {}).get("course-autograder") == expected
+
+
+@pytest.mark.parametrize("name", SOURCES)
+def test_an_extra_is_taken_from_where_the_engine_came(name: str, monkeypatch):
+    monkeypatch.setattr(new_course, "engine_source", lambda: SOURCES[name][0])
+    assert WANTED[name] in str(missing_extra(ModuleNotFoundError(name="jupytext")))
+    assert missing_extra(ModuleNotFoundError(name="cheese")) is None
 
 
 # The second course

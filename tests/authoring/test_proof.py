@@ -158,7 +158,7 @@ FOUND_IN_THE_FILES: dict[str, tuple[str, str, str, str]] = {
         ANSWERS,
         '"solutions.kitchen:total_weight"',
         '"solutions.kitchen:gross_weight"',
-        "'solutions.kitchen:gross_weight', which cannot be loaded",
+        "'solutions.kitchen:gross_weight' in solutions/answers/kitchen.toml, line",
     ),
     "cases that are no list": (
         "solutions/kitchen.py",

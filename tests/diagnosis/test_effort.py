@@ -10,11 +10,11 @@ import numpy as np
 import pytest
 
 from autograder.course import load_course
+from autograder.diagnosis.effort import Effort, lines_run, numbers_in
 from autograder.kinds.function import hypotheses
 from autograder.kinds.function.diagnosis import diagnose_function
 from autograder.kinds.function.hypotheses import Hypotheses
 from autograder.kinds.function.marking import agrees, close
-from autograder.marking.diagnosis.effort import Effort, lines_run, numbers_in
 from autograder.marking.marker import Marker
 
 ENGINE = Path(hypotheses.__file__).parents[2]
@@ -133,7 +133,7 @@ def test_what_is_spread_out_is_not_changed_to_what_is_no_python():
 
 
 def test_no_diagnosis_looks_at_a_clock():
-    modules = [*ENGINE.glob("kinds/*/diagnosis.py"), *ENGINE.glob("marking/diagnosis/*.py")]
+    modules = [*ENGINE.glob("kinds/*/diagnosis.py"), *ENGINE.glob("diagnosis/*.py")]
     modules += [ENGINE / "kinds/function/hypotheses.py", ENGINE / "kinds/function/repairs.py"]
     assert len(modules) >= 6
     for module in modules:

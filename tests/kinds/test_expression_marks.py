@@ -8,12 +8,12 @@ from typing import Any
 import numpy as np
 import pytest
 
-from autograder.kinds.drawn import NOTHING_AROUND, Around
 from autograder.kinds.expression.answer import ExpressionAlternative, ExpressionAnswer
 from autograder.kinds.expression.equal_values import TOLERANCE, nearly_equal, same_values
 from autograder.kinds.expression.marking import hidden_points, mark_expression, matches
 from autograder.kinds.expression.question import Expression
-from autograder.kinds.mark import Mark
+from autograder.questions.drawn import NOTHING_AROUND, Around
+from autograder.questions.mark import Mark
 
 QUESTION = Expression(
     id="Q9", chapter="c", title="t", prompt="p", points=4.0, hints=("h",), variable="x",
@@ -162,6 +162,15 @@ def test_an_alternative_matches_up_to_its_period_where_it_has_one():
     constant = ExpressionAlternative(name="x", credit=1.0, expression="3")
     assert matches(constant, points, np.full(8, 3.0)) is True
     assert matches(constant, points, points["a"]) is False
+
+
+def test_values_have_to_be_there_wherever_the_key_is_defined_and_nowhere_else():
+    points = {"a": np.linspace(-3.0, 12.0, 8)}
+    root = ExpressionAlternative(name="x", credit=1.0, expression="sqrt(a)")
+    values = np.where(points["a"] > 0, np.sqrt(np.abs(points["a"])), 77.0)
+    assert matches(root, points, values) is True
+    values[-1] = np.nan
+    assert matches(root, points, values) is False
 
 
 def row(*values: complex) -> np.ndarray:

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from autograder.diagnosis.relations import Diagnosis
 from autograder.kinds.function.answer import FunctionAlternative, FunctionAnswer
 from autograder.kinds.function.marking import (
     Expected,
@@ -19,7 +20,6 @@ from autograder.kinds.function.marking import (
 )
 from autograder.kinds.function.question import Function
 from autograder.marking import Mark
-from autograder.marking.diagnosis.relations import Diagnosis
 
 QUESTION = Function(
     id="Q9", chapter="c", title="t", prompt="p", points=8.0, hints=("h",), function="f"
@@ -233,10 +233,18 @@ def test_where_no_value_came_is_said_of_what_is_wrong_alone():
     )
 
 
+@pytest.mark.parametrize("place", [0, 3])
+def test_where_no_value_came_is_said_of_the_first_and_of_the_last(place):
+    assert NO_VALUE in mark(but(place, {"raised": "KeyError"}), tells=False).feedback
+
+
 def test_everything_may_be_told_where_all_is_public():
     public = [{**case, "public": True} for case in CASES]
     outcomes = but(2, {"raised": "KeyError"})
     assert labels(mark(outcomes, public, tells=False)) == ["large (it raises KeyError)"]
+    for place in (0, 3):
+        but_one = [{**case, "public": i != place} for i, case in enumerate(CASES)]
+        assert labels(mark(outcomes, but_one, tells=False)) == ["large"]
     assert NO_VALUE not in mark(outcomes, public, tells=False).feedback
 
 

@@ -47,6 +47,11 @@ WHOLE: dict[str, object] = {"integer": True}
         (TWO_DECIMALS, [(0.581, RIGHT)], 0.582, "0.581"),
         (TWO_DECIMALS, [(0.125, RIGHT)], 0.126, "0.125"),
         (TWO_DECIMALS, [(0.0625, RIGHT)], 0.0635, None),
+        # Nobody has to be more exact than a float32, which is this one's here.
+        (TWO_DECIMALS, [(0.180049445, RIGHT)], 0.18004944920539856, "0.180049445"),
+        (TWO_DECIMALS, [(-0.180049445, RIGHT)], -0.18004944920539856, "-0.180049445"),
+        (TWO_DECIMALS, [(0.180049445, RIGHT)], 0.180049445 * (1 + 0.9e-6), "0.180049445"),
+        (TWO_DECIMALS, [(0.180049445, RIGHT)], 0.180049445 * (1 + 1.1e-6), None),
         # Known mistakes are recognised however finely they are given.
         (TWO_DECIMALS, [(0.5, RIGHT), (0.8199, MISTAKE)], 0.8176, "0.8199"),
         (TWO_DECIMALS, [(0.5, RIGHT), (0.8199, MISTAKE)], 0.82, "0.8199"),

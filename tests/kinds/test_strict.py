@@ -8,8 +8,8 @@ import pytest
 
 from autograder.errors import CourseError
 from autograder.kinds.number.answer import NumberAnswer
-from autograder.kinds.strict import Place, read_table
-from autograder.kinds.toml_lines import line_of
+from autograder.questions.strict import Place, read_table
+from autograder.questions.toml_lines import line_of
 
 TEXT = '''# a key
 ["Q1"]
@@ -29,6 +29,18 @@ feedback = "Halve it."
 
 ["Q2"]
 alternative = [{name = "right", value = 1, credit = 1}]
+
+["Q4"]
+cards = [  # of a list, each entry has its line
+    # the first
+    {id = "a", text = "a ] here"},
+
+    {id = "b", text = "b"},
+]
+order = ["a",
+    "b"]
+[["Q4".alternative]]
+name = "last"
 '''
 
 
@@ -43,6 +55,11 @@ alternative = [{name = "right", value = 1, credit = 1}]
         (("Q1", "alternative", 1, "tolerance"), 11),
         (("Q2", "alternative", 0, "value"), 18),
         (("Q3",), None),
+        (("Q4", "cards", 0, "text"), 23),
+        (("Q4", "cards", 1), 25),
+        (("Q4", "order", 1), 27),
+        (("Q4", "alternative"), 29),
+        (("Q4", "alternative", 0, "name"), 30),
     ],
 )
 def test_the_line_of_a_field(path, line):

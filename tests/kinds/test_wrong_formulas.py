@@ -10,7 +10,7 @@ import pytest
 
 from autograder.kinds.expression.slopes import slopes
 from autograder.kinds.expression.wholes import terms, wholes
-from autograder.kinds.formula import evaluate_formula
+from autograder.questions.formula import evaluate_formula
 
 
 @pytest.mark.parametrize(
@@ -121,7 +121,7 @@ def test_a_formula_falls_into_terms_that_add_up_to_it(formula, parts):
     assert total == pytest.approx(float(evaluate_formula(formula, values)))
 
 
-POINTS = {"u": np.full(3, 9.0), "a": np.array([1.5, 2.0, 3.0]), "b": np.array([0.5, -1.0, 2.0])}
+POINTS = {"a": np.array([1.5, 2.0, 3.0]), "u": np.full(3, 9.0), "b": np.array([0.5, -1.0, 2.0])}
 A, B = POINTS["a"], POINTS["b"]
 
 

@@ -16,11 +16,11 @@ from autograder import language
 from autograder.course import load_course
 from autograder.errors import CourseError
 from autograder.gradebook import Record
-from autograder.kinds.mark import not_attempted
-from autograder.kinds.status import Status
 from autograder.language import _, n_
 from autograder.language.catalog import as_mo, read_po
 from autograder.marking import Mark
+from autograder.questions.mark import not_attempted
+from autograder.questions.status import Status
 from autograder.reports.feedback_html import Feedback, feedback_html
 from autograder.reports.pictures import Pictures
 from autograder.student.views import MarkView, QuestionView
@@ -92,15 +92,15 @@ def test_no_translation_is_left_of_a_sentence_that_is_gone(path: Path):
 
 
 # Where a sentence may reach a student, and the modules there that speak to authors only.
-ROOMS = ("student", "kinds", "marking", "grading/chapter.py", "grading/own_exceptions.py",
-         "exchange/reasons.py", "gradebook/scheme.py", "sandbox/stopped.py",
-         "reports/feedback_html.py", "course/predictions.py", "grading/whose_numbers.py",
-         "intake/notebook_reader.py", "intake/archive.py", "intake/handed_in.py",
-         "intake/kept_files.py")  # fmt: skip
+ROOMS = ("student", "questions", "kinds", "marking", "diagnosis", "grading/chapter.py",
+         "grading/own_exceptions.py", "exchange/reasons.py", "gradebook/scheme.py",
+         "sandbox/stopped.py", "reports/feedback_html.py", "course/predictions.py",
+         "grading/whose_numbers.py", "intake/notebook_reader.py", "intake/archive.py",
+         "intake/handed_in.py", "intake/kept_files.py")  # fmt: skip
 OF_AUTHORS = {"answer.py", "question.py", "trial.py", "promises.py", "sensible.py", "stub.py",
               "expected.py", "strict.py", "toml_lines.py", "written.py", "registry.py",
               "formula.py", "variables.py", "exercise.py", "draw.py", "marker.py",
-              "marker_process.py", "take_snapshot.py"}  # fmt: skip
+              "marker_process.py", "take_snapshot.py", "reference_failures.py"}  # fmt: skip
 TO_AUTHORS = {"CourseError", "ValueError", "problems", "too_few_mistakes", "poor_draw",
               "poor_value", "check_answer", "other_mistakes"}  # fmt: skip
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import threading
 import time
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
 from typing import Any
 
 import pytest
@@ -14,6 +15,7 @@ from autograder.errors import UsageError
 from autograder.marking import marker as module
 from autograder.marking.draw import seed_of_set, set_of_variant
 from autograder.marking.marker import OTHER_NUMBERS, Marker
+from autograder.questions.registry import kind_of
 
 
 def given(value: Any) -> dict[str, Any]:
@@ -157,6 +159,18 @@ def test_functions_to_read_are_drawn_by_both_seeds(tiny_course):
     assert str(caught.value) == "There are no functions to read for Q1.3."
 
 
+def test_functions_to_read_bear_no_name_that_the_course_asks_for(tiny_course, monkeypatch):
+    course = tiny_course.load()
+    told: list[Any] = []
+    kind = type(kind_of(course.question("Q1.5")))
+    monkeypatch.setattr(kind, "reading", lambda self, *given: told.append(given) or "functions")
+    turned = replace(course, chapters=course.chapters[::-1])
+    assert Marker(turned, 3).reading("Q1.5", 1) == "functions"
+    ((question, answer, _, _, root, names),) = told
+    assert (question, answer, root) == (course.question("Q1.5"), course.key["Q1.5"], course.root)
+    assert names == ["share", "eggs", "rim", "mean_weight"]
+
+
 def test_a_response_is_shown_as_it_was_before_anything_was_sent(tiny_course):
     marker = Marker(tiny_course.load(), 3)
     assert marker.mark("Q1.3", given(12), "12.0").understood == "12 eggs"
@@ -187,6 +201,20 @@ def test_a_response_to_the_numbers_of_somebody_else_is_told_so(market):
     # What has a name of its own is that, and what is right for nobody has none.
     assert ada.mark("Q7", given(4 + mine)).alternative == "added"
     assert ada.mark("Q7", given(1234567)).alternative not in (OTHER_NUMBERS, "right")
+
+
+@pytest.mark.parametrize(("credit", "status"), [(0, "wrong"), (0.25, "partial")])
+def test_a_mistake_with_ones_own_numbers_is_not_taken_for_other_numbers(market, credit, status):
+    """9 boxes of 4 eggs are 36; so are 32 and 4."""
+    answers = "solutions/answers/kitchen.toml"
+    market.replace(
+        answers, '"added", credit = 0.25, value = "4', f'"added", credit = {credit}, value = "4'
+    )
+    marker = with_boxes(market, "[9, 32]")
+    names = (f"student {n}" for n in range(50))
+    own = next(m for m in map(marker.for_student, names) if m.course.numbers("Q7")["boxes"] == 32)
+    mark = own.mark("Q7", given(36))
+    assert (mark.status, mark.alternative) == (status, "added")
 
 
 def test_other_numbers_are_not_looked_for_where_everybody_has_the_sheets(market):

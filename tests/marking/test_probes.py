@@ -1,5 +1,7 @@
 """Probes: hidden points and inputs are drawn by seed, and nothing of the key is sent."""
 
+import re
+
 import numpy as np
 import pytest
 
@@ -74,25 +76,26 @@ def test_a_name_that_cannot_be_loaded_is_said(tiny_course, name):
 
 
 @pytest.mark.parametrize(
-    "cases",
+    ("cases", "said"),
     [
-        "[]",
-        "None",
-        "[3]",
-        '[{"name": "x"}]',
-        '[{"args": []}]',
-        '[{"name": "x", "args": [], "hidden": True}]',
-        '[{"name": 3, "args": []}]',
-        '[{"name": "x", "args": 3}]',
-        "{}",
+        ("[]", "cases of Q1.5 must be a list"),
+        ("None", "cases of Q1.5 must be a list"),
+        ("{}", "cases of Q1.5 must be a list"),
+        ("[3]", "Case 1 of Q1.5: write a dictionary"),
+        ('[{"name": "x"}]', "Case 'x' of Q1.5: it needs \"args\""),
+        ('[{"args": []}]', 'Case 1 of Q1.5: it needs a "name"'),
+        ('[{"name": "x", "args": [], "hidden": True}]', "Case 'x' of Q1.5: unknown key 'hidden'"),
+        ('[{"name": "x", "args": [], "pubic": True}]', "perhaps 'public' is meant"),
+        ('[{"name": 3, "args": []}]', 'it needs a "name"'),
+        ('[{"name": "x", "args": 3}]', 'it needs "args"'),
     ],
 )
-def test_malformed_cases_are_said(tiny_course, cases):
+def test_malformed_cases_are_said(tiny_course, cases, said):
     tiny_course.append("solutions/kitchen.py", f"\n\ndef some_cases(rng):\n    return {cases}\n")
     tiny_course.replace(
         "solutions/answers/kitchen.toml", "kitchen:mean_weight_cases", "kitchen:some_cases"
     )
-    with pytest.raises(CourseError, match=r"cases of Q1\.5 must be a list"):
+    with pytest.raises(CourseError, match=re.escape(said)):
         drawn(tiny_course.load(), "Q1.5", 1)
 
 

@@ -168,3 +168,10 @@ def test_a_word_below_zero_is_not_the_last_one():
         build_inverted_file([np.array([0, -1])], 4)
     with pytest.raises(ValueError, match="word -1 is not in the file"):
         count_votes(np.array([-1]), [[0], [1]], 2)
+
+
+def test_a_word_beyond_the_last_is_refused():
+    with pytest.raises(ValueError, match="the word 4, not 0 to 3"):
+        build_inverted_file([np.array([0, 4])], 4)
+    with pytest.raises(ValueError, match="word 2 is not in the file"):
+        count_votes(np.array([2]), [[0], [1]], 2)

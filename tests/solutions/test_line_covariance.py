@@ -53,3 +53,22 @@ def test_a_wall_seen_symmetrically_has_the_textbook_variances():
     points = np.array([[2.0, -1.0], [2.0, 0.0], [2.0, 1.0]])
     expected = np.diag([SIGMA**2 / 3, SIGMA**2 / 2])
     assert line_covariance(points, SIGMA) == pytest.approx(expected)
+
+
+def test_the_covariance_follows_each_coordinate_of_a_noisy_cloud():
+    """By central differences of the fit itself; residuals are a third of the cloud's length."""
+    points = np.array([[1.0, 2.0], [2.5, 1.0], [3.0, 3.5], [5.0, 2.0], [6.0, 5.5]])
+    step, jacobian = 1e-6, []
+    for index in np.ndindex(points.shape):
+        up, down = points.copy(), points.copy()
+        up[index] += step
+        down[index] -= step
+        jacobian.append((np.array(fit_line(up)) - np.array(fit_line(down))) / (2 * step))
+    expected = 0.01**2 * np.array(jacobian).T @ np.array(jacobian)
+    assert line_covariance(points, 0.01) == pytest.approx(expected, rel=1e-6)
+    assert line_covariance(points.tolist(), 0.01) == pytest.approx(expected, rel=1e-6)
+
+
+def test_points_that_are_exact_fix_an_exact_line():
+    points = np.array([[1.0, 2.0], [2.5, 1.0], [3.0, 3.5]])
+    assert np.array_equal(line_covariance(points, 0.0), np.zeros((2, 2)))

@@ -165,3 +165,20 @@ def test_weights_that_cannot_be_are_explained(weights):
     for function in (fit_line, lambda p, w: line_covariance(p, 0.01, w)):
         with pytest.raises(ValueError, match="must be 3 finite numbers >= 0, not all of them 0"):
             function(points, weights)
+
+
+def test_weights_count_by_their_ratios_however_small_they_are():
+    points = np.array([[0.0, 1.0], [2.0, 1.5], [3.0, 4.0]])
+    weights = np.array([2.0, 1.0, 5.0])
+    assert fit_line(points, weights / 100) == pytest.approx(fit_line(points, weights))
+
+
+def test_where_a_point_lies_along_a_line():
+    line = Line(2.0, math.pi / 6)  # its foot is (sqrt 3, 1), and left of the normal is (-1/2, ...)
+    foot, left = np.array([math.sqrt(3), 1.0]), np.array([-0.5, math.sqrt(3) / 2])
+    for position in (-3.0, 0.0, 1.5):
+        point = foot + position * left
+        assert point_at(position, line) == pytest.approx(point)
+        assert positions_along(point[None] + 4 * foot, line) == pytest.approx([position])
+    many = point_at(np.array([1.0, -2.0]), line)
+    assert many == pytest.approx(np.array([foot + left, foot - 2 * left]))

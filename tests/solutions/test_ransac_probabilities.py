@@ -96,9 +96,22 @@ def test_numbers_out_of_range_are_reported(arguments):
         required_iterations(*arguments)
 
 
-def test_impossible_counts_are_reported():
+@pytest.mark.parametrize("counts", [(10, 11, 2), (10, -1, 2), (10, 5, 0), (10, 5, 11)])
+def test_impossible_counts_are_reported(counts):
     with pytest.raises(ValueError, match="Needs 0 <= inliers <= N"):
-        ransac_exact.all_inlier_probability(10, 11, 2)
+        ransac_exact.all_inlier_probability(*counts)
+
+
+def test_no_points_all_points_and_a_sample_of_all_are_possible():
+    assert ransac_exact.all_inlier_probability(10, 0, 2) == 0
+    assert ransac_exact.all_inlier_probability(10, 10, 2) == 1
+    assert ransac_exact.all_inlier_probability(10, 9, 10) == 0
+    assert ransac_exact.all_inlier_probability(10, 10, 10) == 1
+
+
+def test_one_sample_is_meant_where_no_number_is_given():
+    assert ransac_exact.outlier_model_probability(10, 4, 2) == pytest.approx(1 - 6 / 45)
+    assert outlier_model_probability(0.5, 2) == pytest.approx(0.75)
 
 
 @pytest.mark.parametrize("s", [1, 2, 3, 4])

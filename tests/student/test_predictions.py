@@ -13,6 +13,7 @@ import pytest
 from autograder import predict, predicted, submit
 from autograder.authoring.masters import read_masters
 from autograder.course import load_course
+from autograder.course.predictions import Prediction
 from autograder.errors import CourseError, UsageError
 from autograder.gradebook import Gradebook, Record
 from autograder.grading.graded import Graded
@@ -22,6 +23,7 @@ from autograder.intake.submissions import Contents, Submission, read_submission
 from autograder.marking import Mark
 from autograder.reports.class_html import class_html
 from autograder.reports.gather import gather
+from autograder.reports.predictions import Predicted, predictions_html
 from autograder.student.desk import Desk
 from autograder.student.receipts import RECEIPT
 from autograder.student.widgets.base import CourseWidget
@@ -230,7 +232,30 @@ def test_the_gradebook_keeps_them_and_the_class_page_counts_them(patch: Path, tm
     page = class_html(course, records, None)
     assert "What was predicted" in page
     assert "9 of 10 predicted." in page
-    assert "a bean: 0; an oak: 9" in page
+    for choice, count in choices.rows():
+        assert f'<th scope="row">{choice}</th><td class="number">{count}</td>' in page
+    assert "9 of 9" in page  # what the bar says to whom it cannot be shown
+
+
+def test_formulas_in_choices_are_set_and_nothing_is_cut():
+    choices = (
+        "when $S_{xx} = S_{yy}$",
+        "nowhere: it is as wide as that at each place of a wall",
+    )
+    asked = Prediction(id="P1.9", prompt="When?", choices=choices)
+    found = Predicted(asked)
+    found.choices.update({choices[0]: 2, choices[1]: 1})
+    page = predictions_html([found], 3)
+    assert "<math" in page
+    assert "$" not in page
+    assert choices[1] in page
+
+
+def test_numbers_far_apart_are_drawn_by_their_magnitude():
+    found = Predicted(Prediction(id="P1.9", prompt="How many?", between=(1, 10**6), integer=True))
+    found.numbers.extend([12, 50, 100, 100, 400, 10_000])
+    names = [name for name, count in found.rows() if count]
+    assert names == ["10 to 19", "50 to 99", "100 to 199", "200 to 499", "10,000 to 19,999"]
 
 
 @pytest.mark.parametrize(

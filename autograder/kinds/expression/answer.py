@@ -6,9 +6,9 @@ from typing import Annotated
 
 from msgspec import Meta, field
 
-from autograder.kinds.answer import Answer, PublicAlternative
 from autograder.kinds.expression.question import Expression
-from autograder.kinds.written import Text
+from autograder.questions.answer import Answer, PublicAlternative
+from autograder.questions.written import Text
 
 
 class ExpressionAlternative(PublicAlternative, frozen=True, kw_only=True):
@@ -52,8 +52,17 @@ def check_expression(question: Expression, answer: ExpressionAnswer) -> None:
         ValueError: if not.
     """
     # What a response must be free of is drawn too, even if the question does not declare it.
-    if answer.sample.keys() | answer.derived.keys() != question.symbols.keys() | {*answer.free_of}:
-        raise ValueError(
-            "sample and derived together must name exactly the question's symbols and "
-            "what is in free_of"
-        )
+    drawn = answer.sample.keys() | answer.derived.keys()
+    wanted = question.symbols.keys() | {*answer.free_of}
+    if drawn != wanted:
+        problems = [
+            *(
+                f"{name!r} has no range in sample and no formula in derived"
+                for name in sorted(wanted - drawn)
+            ),
+            *(
+                f"{name!r} in sample or derived is no symbol of the question, nor in free_of"
+                for name in sorted(drawn - wanted)
+            ),
+        ]
+        raise ValueError(", and ".join(problems))

@@ -9,23 +9,23 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from autograder.errors import CourseError
-from autograder.kinds.drawn import NOTHING_AROUND, Around
-from autograder.kinds.expression.answer import ExpressionAlternative, ExpressionAnswer
-from autograder.kinds.expression.equal_values import Points, same_values
-from autograder.kinds.expression.question import Expression
-from autograder.kinds.expression.slopes import slopes
-from autograder.kinds.expression.wholes import terms, wholes
-from autograder.kinds.formula import evaluate_formula
-from autograder.language import N_, _, chosen
-from autograder.marking.diagnosis.relations import (
+from autograder.diagnosis.relations import (
     RELATIONS,
     Diagnosis,
     another_answer,
     looks_as_if,
 )
-from autograder.marking.mutants.formula_edits import edited_formulas
-from autograder.marking.mutants.mutant import Mutant
+from autograder.errors import CourseError
+from autograder.kinds.expression.answer import ExpressionAlternative, ExpressionAnswer
+from autograder.kinds.expression.equal_values import Points, same_values
+from autograder.kinds.expression.question import Expression
+from autograder.kinds.expression.slopes import slopes
+from autograder.kinds.expression.wholes import terms, wholes
+from autograder.language import N_, _, chosen
+from autograder.mutants.formula_edits import edited_formulas
+from autograder.mutants.mutant import Mutant
+from autograder.questions.drawn import NOTHING_AROUND, Around
+from autograder.questions.formula import evaluate_formula
 
 _MOST_TERMS = 8  # that a fit may have, of 24 points
 _FACTORS = {2.0: "doubled", 0.5: "halved", -1.0: "turned", 0.0: "missing", -2.0: "turned"}
@@ -172,8 +172,8 @@ def _of_one_place(operator: str) -> str:
         return _(_WORDS[operator])
     other, stands, name = operator.partition(" for ")
     if stands:
-        said = _("{other} stands somewhere in it for {symbol}")
-        return said.format(other=other, symbol=name)
+        sentence = _("{other} stands somewhere in it for {symbol}")
+        return sentence.format(other=other, symbol=name)
     name, _blank, what = operator.partition(" ")
     return _(_OF_A_SYMBOL[what]).format(symbol=name)
 

@@ -11,11 +11,11 @@ from typing import Any
 
 import numpy as np
 
+from autograder.diagnosis.effort import Effort, numbers_in
+from autograder.diagnosis.relations import RELATIONS, Diagnosis, looks_as_if
 from autograder.exchange.messages import Value, Values
 from autograder.kinds.function.repairs import PLACES, Repair, repairs
 from autograder.language import N_, _, n_
-from autograder.marking.diagnosis.effort import Effort, numbers_in
-from autograder.marking.diagnosis.relations import RELATIONS, Diagnosis, looks_as_if
 
 _MOST_STEPS = 1_000_000  # for one response, some 0.1 s of a processor
 _A_COMPARISON = 50

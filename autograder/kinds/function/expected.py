@@ -12,12 +12,15 @@ import numpy as np
 from autograder.course.loading import load_object
 from autograder.course.right_work import right_functions
 from autograder.errors import CourseError
-from autograder.kinds.drawn import Drawn
 from autograder.kinds.function.answer import FunctionAlternative, FunctionAnswer
 from autograder.kinds.function.hypotheses import Hypotheses
 from autograder.kinds.function.marking import Expected, Outcome, close
 from autograder.kinds.function.question import Function
+from autograder.questions.drawn import Drawn
+from autograder.questions.strict import meant
 from autograder.sandbox.inside.evaluate import evaluate
+
+_OF_A_CASE = ("name", "args", "kwargs", "public", "draws", "may_raise")
 
 
 def draw(
@@ -105,14 +108,31 @@ def _outcomes(dotted_name: str, sent: dict[str, object], root: Path) -> list[dic
 
 
 def _check_cases(question: Function, cases: object) -> None:
-    well_formed = isinstance(cases, list) and all(
-        isinstance(case, dict)
-        and isinstance(case.get("name"), str)
-        and isinstance(case.get("args"), list)
-        and case.keys() <= {"name", "args", "kwargs", "public", "draws", "may_raise"}
-        for case in cases
-    )
-    if not cases or not well_formed:
+    """Whether cases are a list of dictionaries that hold what a case may hold.
+
+    Raises:
+        CourseError: if not; the sentence names the case.
+    """
+    if not isinstance(cases, list) or not cases:
         raise CourseError(
-            f"The cases of {question.id} must be a list of dictionaries with name and args."
+            f"The cases of {question.id} must be a list of dictionaries with name and args, and "
+            "not empty."
         )
+    for number, case in enumerate(cases, 1):
+        problem = _problem_of_case(case)
+        if problem:
+            name = case.get("name", number) if isinstance(case, dict) else number
+            raise CourseError(f"Case {name!r} of {question.id}: {problem}.")
+
+
+def _problem_of_case(case: object) -> str:
+    if not isinstance(case, dict):
+        return 'write a dictionary such as {"name": "no weights", "args": [[]]}'
+    for key in case:
+        if key not in _OF_A_CASE:
+            return f"unknown key {key!r}; {meant(str(key), _OF_A_CASE)}"
+    if not isinstance(case.get("name"), str):
+        return 'it needs a "name", a text that says what kind of input it is'
+    if not isinstance(case.get("args"), list):
+        return 'it needs "args", the list of the arguments: [12.0] where there is one'
+    return ""

@@ -88,8 +88,8 @@ def _entry(value: object) -> str:
 
 
 def _an(error: str) -> str:
-    said = _("an {error}") if error[:1] in "AEIOU" else _("a {error}")
-    return said.format(error=error)
+    sentence = _("an {error}") if error[:1] in "AEIOU" else _("a {error}")
+    return sentence.format(error=error)
 
 
 def _shown(value: object) -> str:

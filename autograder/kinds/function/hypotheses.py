@@ -28,15 +28,15 @@ from types import FunctionType
 
 import numpy as np
 
+from autograder.diagnosis.effort import Effort, lines_run, numbers_in
+from autograder.diagnosis.relations import Diagnosis, looks_as_if
 from autograder.exchange.messages import Value
 from autograder.kinds.function.marking import Compare, Outcome, agrees
 from autograder.kinds.function.slips import VAGUE, in_words, slips
 from autograder.kinds.function.trial import mutants_of, outcome_of
 from autograder.language import _
-from autograder.marking.diagnosis.effort import Effort, lines_run, numbers_in
-from autograder.marking.diagnosis.relations import Diagnosis, looks_as_if
-from autograder.marking.mutants.clones import codes_of, reachable, tree_of, with_changed
-from autograder.marking.mutants.mutant import Mutant, OutOfTime
+from autograder.mutants.clones import codes_of, reachable, tree_of, with_changed
+from autograder.mutants.mutant import Mutant, OutOfTime
 
 # In lines that the reference runs, some 2 to 5 million a second of a processor.
 _MOST_LINES = 20_000_000  # for one response, as if it were the first
@@ -95,8 +95,8 @@ class Hypotheses:
     def _said(self, index: int) -> Diagnosis:
         """The name of a change, and what a student reads of it."""
         if remark := self._remark(index):
-            said = _("It looks as if yours is the right function {remark}.")
-            return Diagnosis(remark, said.format(remark=remark))
+            sentence = _("It looks as if yours is the right function {remark}.")
+            return Diagnosis(remark, sentence.format(remark=remark))
         mutant = self._changes()[index][0]
         argument = re.match(r"begin with (\w+) = ", mutant.name)
         words = in_words(mutant.operator, argument[1] if argument else "")

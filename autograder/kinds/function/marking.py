@@ -11,6 +11,7 @@ from typing import Protocol
 
 import numpy as np
 
+from autograder.diagnosis.relations import Diagnosis
 from autograder.exchange.messages import Value
 from autograder.exchange.reasons import REASONS
 from autograder.kinds.function.answer import FunctionAlternative, FunctionAnswer
@@ -19,9 +20,8 @@ from autograder.kinds.function.diagnosis import diagnose_function
 from autograder.kinds.function.hints import hints
 from autograder.kinds.function.question import Function
 from autograder.kinds.function.shown import shown_outcome
-from autograder.kinds.mark import NO_VALUE, Mark, Part, status_for
 from autograder.language import _
-from autograder.marking.diagnosis.relations import Diagnosis
+from autograder.questions.mark import NO_VALUE, Mark, Part, status_for
 
 Outcome = dict[str, object]
 Compare = Callable[[dict[str, object], object, object], bool]
@@ -323,8 +323,8 @@ def _what_happened(outcomes: Sequence[object], indices: Sequence[int]) -> str:
     for index in indices:
         outcome = outcomes[index]
         if isinstance(outcome, dict) and "raised" in outcome:
-            said = _("it raises {name}").format(name=_known_error(outcome["raised"]))
-            return f" ({said})"
+            sentence = _("it raises {name}").format(name=_known_error(outcome["raised"]))
+            return f" ({sentence})"
         if isinstance(outcome, dict) and "unusable" in outcome:
             reason = outcome["unusable"]
             known = isinstance(reason, str) and reason in REASONS

@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from itertools import combinations
 
 from autograder.language import N_, _
-from autograder.marking.mutants.edits import Edit
+from autograder.mutants.edits import Edit
 
 _FEW_NAMES = 4  # in one line
 _RELATIVES: dict[str, tuple[str, ...]] = {
@@ -334,8 +334,8 @@ def in_words(operator: str, argument: str = "") -> str:
     if argument:
         return _(_OF_AN_ARGUMENT[operator.removeprefix("argument ")]).format(name=argument)
     if exchanged := re.fullmatch(r"(\w+) and (\w+) exchanged", operator):
-        said = _("the function works with {one} and {other} exchanged")
-        return said.format(one=exchanged[1], other=exchanged[2])
+        sentence = _("the function works with {one} and {other} exchanged")
+        return sentence.format(one=exchanged[1], other=exchanged[2])
     name, between, how = operator.partition(" with ")
     if between:
         return _(_OF_AN_ARGUMENT[how]).format(name=name)

@@ -5,12 +5,14 @@ from __future__ import annotations
 from decimal import Decimal
 
 from autograder.exchange.messages import Message
-from autograder.kinds.drawn import NOTHING_AROUND, Around
-from autograder.kinds.mark import Mark, status_for
 from autograder.kinds.number.answer import NumberAlternative, NumberAnswer
 from autograder.kinds.number.diagnosis import diagnose_number
 from autograder.kinds.number.question import Number
 from autograder.language import _
+from autograder.questions.drawn import NOTHING_AROUND, Around
+from autograder.questions.mark import Mark, status_for
+
+_SINGLE_PRECISION = 1e-6  # relative, of a number that was computed with it
 
 
 def mark_number(
@@ -46,7 +48,8 @@ def mark_number(
         feedback = _("A whole number is asked for. Decide whether to round up or down, and why.")
     else:
         feedback = _(
-            "That is not the value asked for. A hint may help: look at what each symbol counts."
+            "That is not the value asked for. Read again what is given and what is asked; "
+            "a hint may help."
         )
     name = None
     known["evidence"] = f"value {value:.10g}"
@@ -60,8 +63,8 @@ def _tolerance(question: Number, alternative: NumberAlternative, value: int | fl
     """How far a value may be from an alternative's.
 
     As many decimals as are asked for may be rounded. Whoever gives more of them has to be right to
-    these, by at most one in the last, as far as the key itself goes. A mistake that gives no whole
-    number is given as one where one is asked for, rounded.
+    these, by at most one in the last, as far as the key itself and single precision go. A mistake
+    that gives no whole number is given as one where one is asked for, rounded.
     """
     if alternative.tolerance is not None:
         return alternative.tolerance
@@ -74,7 +77,8 @@ def _tolerance(question: Number, alternative: NumberAlternative, value: int | fl
     if question.decimals is None or alternative.is_mistake:
         return question.tolerance
     coarser = max(_last_place(value), _last_place(alternative.value))
-    return min(question.tolerance, coarser * (1 + 1e-9))
+    finest = max(coarser * (1 + 1e-9), _SINGLE_PRECISION * abs(alternative.value))
+    return min(question.tolerance, finest)
 
 
 def _last_place(value: int | float) -> float:

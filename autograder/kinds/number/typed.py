@@ -6,9 +6,9 @@ import math
 from collections.abc import Callable, Mapping
 
 from autograder.errors import UsageError
-from autograder.kinds.formula import Term
-from autograder.kinds.typed import parse, value_of
 from autograder.language import _
+from autograder.questions.formula import Term
+from autograder.questions.typed import parse, value_of
 
 MAX_COUNT = 100_000
 _OF_MATH = (
@@ -43,8 +43,8 @@ def read_number(text: str, variables: Mapping[str, object]) -> int | float:
     try:
         value = value_of(tree, name, functions)
     except (ArithmeticError, ValueError, TypeError) as error:
-        said = _("This has no value: {reason}.").format(reason=str(error).rstrip("."))
-        raise UsageError(said) from None
+        sentence = _("This has no value: {reason}.").format(reason=str(error).rstrip("."))
+        raise UsageError(sentence) from None
     if isinstance(value, bool | complex) or not isinstance(value, int | float):
         raise UsageError(_("This is not a number."))
     if (isinstance(value, int) and value.bit_length() > 1000) or not math.isfinite(value):

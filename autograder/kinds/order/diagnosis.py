@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from autograder.diagnosis.relations import Diagnosis
 from autograder.language import _
-from autograder.marking.diagnosis.relations import Diagnosis
 
 Cards = tuple[str, ...]
 
@@ -132,5 +132,5 @@ def _stages(order: Cards, base: Cards, texts: dict[str, str]) -> Diagnosis | Non
 
 
 def _run(cards: Sequence[str], texts: dict[str, str]) -> str:
-    said = _("from “{first}” to “{last}”")
-    return said.format(first=texts[cards[0]], last=texts[cards[-1]])
+    sentence = _("from “{first}” to “{last}”")
+    return sentence.format(first=texts[cards[0]], last=texts[cards[-1]])

@@ -9,12 +9,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import permutations, product
 
-from autograder.kinds.mark import Mark, Part, not_attempted, status_for, stopped
 from autograder.kinds.order.answer import OrderAnswer
 from autograder.kinds.order.diagnosis import diagnose_order
 from autograder.kinds.order.question import Order
 from autograder.kinds.order.response import chosen
 from autograder.language import _, n_
+from autograder.questions.mark import Mark, Part, not_attempted, status_for, stopped
 
 
 def is_right(order: Sequence[str], answer: OrderAnswer) -> bool:
@@ -176,12 +176,12 @@ def _where(card: str, answer: OrderAnswer, texts: dict[str, str]) -> str:
     later = {f"“{texts[second]}”": None for first, second in answer.before if first == card}
     both = f" {_('and')} "
     if earlier and later:
-        said = _("“{card}” comes after {earlier} and before {later}.")
+        sentence = _("“{card}” comes after {earlier} and before {later}.")
     elif earlier:
-        said = _("“{card}” comes after {earlier}.")
+        sentence = _("“{card}” comes after {earlier}.")
     else:
-        said = _("“{card}” comes before {later}.")
-    return said.format(card=texts[card], earlier=both.join(earlier), later=both.join(later))
+        sentence = _("“{card}” comes before {later}.")
+    return sentence.format(card=texts[card], earlier=both.join(earlier), later=both.join(later))
 
 
 def _first_conflict(question: Order, order: Sequence[str], after: dict[str, set[str]]) -> str:

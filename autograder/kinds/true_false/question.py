@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import Annotated, ClassVar
 
 from msgspec import Meta
 
-from autograder.kinds.question import Question
-from autograder.kinds.written import Text
+from autograder.questions.question import Question
+from autograder.questions.written import Text
 
 
 class TrueFalse(Question, frozen=True, kw_only=True, tag="true_false"):
     """Statements to call true or false, one point each."""
 
     kind = "true_false"
+    refused: ClassVar[dict[str, str]] = {"points": "each statement is a point, so remove it"}
     statements: Annotated[tuple[Text, ...], Meta(min_length=1)]
     draws: Annotated[
         tuple[tuple[int, ...], ...],

@@ -7,8 +7,8 @@ from collections.abc import Callable
 
 from autograder.course.questions import Question
 from autograder.errors import UsageError
-from autograder.kinds.registry import kind_of
 from autograder.language import _
+from autograder.questions.registry import kind_of
 from autograder.student.desk import Desk
 from autograder.student.marker_client import key_marker
 from autograder.student.practice.desk import MOST_TRIED, PracticeDesk, can_be_read, has_variants
@@ -36,8 +36,8 @@ def another_one(
     """
     client = key_marker(desk.course, question.id)
     if client is None:
-        said = _("{question} cannot be practised here: its key is not at hand.")
-        raise UsageError(said.format(question=question.id))
+        sentence = _("{question} cannot be practised here: its key is not at hand.")
+        raise UsageError(sentence.format(question=question.id))
     if can_be_read(desk, question):
         from autograder.student.widgets.reading import ReadingWidget
 

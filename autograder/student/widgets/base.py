@@ -31,7 +31,7 @@ def source(*names: str | Path) -> str:
 def sentences(module: str) -> dict[str, str]:
     """The sentences of a widget's module that the spoken language has in other words."""
     written = dict.fromkeys(SENTENCE.findall(module))
-    return {text: said for text in written if (said := _(text)) != text}
+    return {text: sentence for text in written if (sentence := _(text)) != text}
 
 
 def escaped(text: str) -> str:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from autograder.course.predictions import Prediction
 from autograder.errors import UsageError
 from autograder.exchange.messages import Message
-from autograder.kinds.typed import parse, value_of
 from autograder.language import _
+from autograder.questions.typed import parse, value_of
 from autograder.reports.markdown import inline, markdown
 from autograder.student.desk import Desk
 from autograder.student.widgets.base import CourseWidget, receipt_output, source
@@ -38,9 +38,9 @@ class PredictionWidget(CourseWidget):
 
     def receipt(self) -> dict[str, object] | None:
         value = self.desk.prediction(self.prediction)
-        said = _("nothing yet.") if value is None else self.prediction.in_words(value)
+        sentence = _("nothing yet.") if value is None else self.prediction.in_words(value)
         words = _("Predicted for {prediction}: {said}").format(
-            prediction=self.prediction.id, said=said
+            prediction=self.prediction.id, said=sentence
         )
         return receipt_output(words, self.prediction.id, value)
 
@@ -71,5 +71,5 @@ def _number(text: str) -> int | float | str:
         number: int | float | str = value_of(parse(text.strip().removesuffix("%")), no_name, {})
         return number
     except (ArithmeticError, ValueError, TypeError) as error:
-        said = _("This has no value: {reason}.").format(reason=str(error).rstrip("."))
-        raise UsageError(said) from None
+        sentence = _("This has no value: {reason}.").format(reason=str(error).rstrip("."))
+        raise UsageError(sentence) from None

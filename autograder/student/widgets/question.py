@@ -7,10 +7,10 @@ from collections.abc import Callable
 from autograder.course.questions import Question
 from autograder.errors import AutograderError
 from autograder.exchange.responses import Entry
-from autograder.kinds.mark import Mark
-from autograder.kinds.registry import kind_of
-from autograder.kinds.status import Status
 from autograder.language import _, n_
+from autograder.questions.mark import Mark
+from autograder.questions.registry import kind_of
+from autograder.questions.status import Status
 from autograder.reports.markdown import inline, markdown
 from autograder.student.desk import Desk, hints_open
 from autograder.student.frontend import in_vscode
@@ -121,8 +121,8 @@ class QuestionWidget(CourseWidget):
         )
         if in_vscode():  # where the widget may be an error: this line is there nevertheless
             line = kind_of(self.question).respond_line(self.question, response)
-            said = _("If there is nothing to click, answer in a cell: {line}")
-            words += f" {said.format(line=line)}"
+            sentence = _("If there is nothing to click, answer in a cell: {line}")
+            words += f" {sentence.format(line=line)}"
         return receipt_output(words, self.question.id, response)
 
     def words(self, response: object) -> str:

@@ -7,8 +7,8 @@ import builtins
 from autograder.errors import UsageError
 from autograder.exchange.messages import Value
 from autograder.kinds.expression.question import Expression
-from autograder.kinds.typed import parse, value_of
 from autograder.language import _
+from autograder.questions.typed import parse, value_of
 
 _OF_SYMPY = (
     *("acos", "asin", "atan", "atan2", "cos", "cot", "sin", "tan"),
@@ -66,11 +66,11 @@ def read_expression(question: Expression, text: str) -> object:
             return symbols[id]
         if id in constants:
             return constants[id]
-        said = _("{name} is not one of the symbols here: {symbols}.")
-        raise UsageError(said.format(name=id, symbols=", ".join(symbols)))
+        sentence = _("{name} is not one of the symbols here: {symbols}.")
+        raise UsageError(sentence.format(name=id, symbols=", ".join(symbols)))
 
     try:
         return sp.sympify(value_of(tree, name, functions, number=sp.sympify))
     except (ArithmeticError, ValueError, TypeError) as error:
-        said = _("This is not a formula: {reason}.").format(reason=str(error).rstrip("."))
-        raise UsageError(said) from None
+        sentence = _("This is not a formula: {reason}.").format(reason=str(error).rstrip("."))
+        raise UsageError(sentence) from None

@@ -10,9 +10,9 @@ import ast
 from collections.abc import Callable, Collection, Mapping
 
 from autograder.errors import UsageError
-from autograder.kinds.formula import Term
-from autograder.kinds.spelling import is_code, spelt
 from autograder.language import _
+from autograder.questions.formula import Term
+from autograder.questions.spelling import is_code, spelt
 
 MAX_LENGTH = 500
 MAX_BITS = 10_000
@@ -31,8 +31,8 @@ def parse(text: str, functions: Collection[str] = ()) -> ast.expr:
     """
     text = text.strip()
     if len(text) > MAX_LENGTH:
-        said = _("That is longer than {count} characters.")
-        raise UsageError(said.format(count=MAX_LENGTH))
+        sentence = _("That is longer than {count} characters.")
+        raise UsageError(sentence.format(count=MAX_LENGTH))
     if not is_code(text):
         text = spelt(text, functions)
     try:
@@ -98,14 +98,14 @@ def value_of(
             case ast.Call(func=function, args=arguments, keywords=[]):
                 called = ast.unparse(function).removeprefix("sp.").removeprefix("math.")
                 if called not in functions:
-                    said = _("{name} is not understood; use {functions}.").format(
+                    sentence = _("{name} is not understood; use {functions}.").format(
                         name=ast.unparse(function), functions=", ".join(functions)
                     )
-                    raise UsageError(said)
+                    raise UsageError(sentence)
                 return functions[called](*(visit(argument) for argument in arguments))
             case ast.Attribute(value=ast.Name(id="sp" | "sympy" | "np" | "math"), attr=attribute):
                 return name(attribute)
-        said = _("{part} is not understood in a formula.")
-        raise UsageError(said.format(part=ast.unparse(node)))
+        sentence = _("{part} is not understood in a formula.")
+        raise UsageError(sentence.format(part=ast.unparse(node)))
 
     return visit(tree)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import signal
 from types import TracebackType
 
-from autograder.marking.mutants.mutant import OutOfTime
+from autograder.mutants.mutant import OutOfTime
 
 
 class time_limit:  # noqa: N801

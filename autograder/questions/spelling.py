@@ -84,8 +84,8 @@ def spelt(text: str, functions: Collection[str]) -> str:
     text = _numbers(text)
     for sign, instead in _INSTEAD.items():
         if sign in text:
-            said = _("“{sign}” is not understood here; write {instead}.")
-            raise UsageError(said.format(sign=sign, instead=_(instead)))
+            sentence = _("“{sign}” is not understood here; write {instead}.")
+            raise UsageError(sentence.format(sign=sign, instead=_(instead)))
     return _products(_tokens(text), functions)
 
 
@@ -122,15 +122,15 @@ def _numbers(text: str) -> str:
     grouped = rf"(?<![\d.,])\d{{1,3}}(?:(?:{_SPACE}|['’])\d{{3}})+(?![\d])"
     text = re.sub(grouped, lambda found: re.sub(rf"{_SPACE}|['’]", "", found[0]), text)
     if side := re.search(rf"\d{_SPACE}+\.?\d", text):
-        said = _("Two numbers stand side by side at “{part}”; write the sign between.")
-        raise UsageError(said.format(part=side[0]))
+        sentence = _("Two numbers stand side by side at “{part}”; write the sign between.")
+        raise UsageError(sentence.format(part=side[0]))
     if "(" not in text:
         if re.search(r"(?<![\d.,])\d{1,3}(,\d{3}){2,}(?![\d,])", text):
             text = re.sub(r",(?=\d{3})", "", text)
         elif found := re.search(r"(?<![\d.,])([1-9]\d{0,2}),(\d{3})(?![\d,.])", text):
             whole, point = found[1] + found[2], f"{found[1]}.{found[2]}"
-            said = _("“{part}” has two meanings; write {one} or {other}.")
-            raise UsageError(said.format(part=found[0], one=whole, other=point))
+            sentence = _("“{part}” has two meanings; write {one} or {other}.")
+            raise UsageError(sentence.format(part=found[0], one=whole, other=point))
     percent = r"(?P<n>(?:\d+\.?\d*|\.\d+))\s*%(?=\s*(?:$|[-+)*/,]))"
     text = re.sub(percent, r"(\g<n>/100)", text)
     if "%" in text:
@@ -160,11 +160,11 @@ def _products(tokens: list[_Token], functions: Collection[str]) -> str:
         calls = token.kind == "name" and token.text in functions
         if made and _ends_a_factor(made[-1], functions) and _begins_a_factor(token):
             if divided:
-                said = _(
+                sentence = _(
                     "“{part}” has two meanings: put what you divide by in brackets, or write the "
                     "sign between."
                 )
-                raise UsageError(said.format(part=f"/ {made[-1]}{token.text}"))
+                raise UsageError(sentence.format(part=f"/ {made[-1]}{token.text}"))
             made.append("*")
         if calls:
             text, at = _call(tokens, at, functions)
@@ -211,8 +211,8 @@ def _call(tokens: list[_Token], at: int, functions: Collection[str]) -> tuple[st
         power, at = _exponent(tokens, at + 1)
         if power.strip("()").replace(" ", "") == "-1":
             if name not in _INVERSE:
-                said = _("“{part}” has two meanings; write {instead}.")
-                raise UsageError(said.format(part=f"{name}^-1", instead=f"1/{name}(...)"))
+                sentence = _("“{part}” has two meanings; write {instead}.")
+                raise UsageError(sentence.format(part=f"{name}^-1", instead=f"1/{name}(...)"))
             name, power = _INVERSE[name], ""
     if at < len(tokens) and tokens[at].text == "(":
         inside, at = _bracket(tokens, at)
@@ -220,11 +220,11 @@ def _call(tokens: list[_Token], at: int, functions: Collection[str]) -> tuple[st
     elif at < len(tokens) and tokens[at].kind != "sign" and tokens[at].text not in functions:
         argument, at = tokens[at].text, at + 1
         if at < len(tokens) and _begins_a_factor(tokens[at]):
-            said = _("Where does {name} end? Put its argument in brackets: {call}.")
-            raise UsageError(said.format(name=name, call=f"{name}(...)"))
+            sentence = _("Where does {name} end? Put its argument in brackets: {call}.")
+            raise UsageError(sentence.format(name=name, call=f"{name}(...)"))
     elif power:
-        said = _("Put the argument of {name} in brackets: {call}.")
-        raise UsageError(said.format(name=name, call=f"{name}(x)**{power}"))
+        sentence = _("Put the argument of {name} in brackets: {call}.")
+        raise UsageError(sentence.format(name=name, call=f"{name}(x)**{power}"))
     else:
         return name, at  # alone: the parser says what is wrong
     called = f"{name}({argument})"

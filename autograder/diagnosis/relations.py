@@ -20,8 +20,10 @@ def looks_as_if(words: str) -> str:
 
 def another_answer(id: str, title: str) -> str:
     """The sentence to a response that answers another question."""
-    said = _("It looks as if this is the answer to {question}, {title}; what is different here?")
-    return said.format(question=id, title=repr(title))
+    sentence = _(
+        "It looks as if this is the answer to {question}, {title}; what is different here?"
+    )
+    return sentence.format(question=id, title=repr(title))
 
 
 @dataclass(frozen=True)
@@ -39,10 +41,10 @@ class Relation:
 
     def and_then(self, other: Relation) -> Diagnosis:
         """The name of two relations, one after the other."""
-        said = _("It looks as if there are two things: {first}; and {second}.")
+        sentence = _("It looks as if there are two things: {first}; and {second}.")
         return Diagnosis(
             f"{self.name}, then {other.name}",
-            said.format(first=_(self.words), second=_(other.words)),
+            sentence.format(first=_(self.words), second=_(other.words)),
         )
 
 

@@ -23,8 +23,8 @@ from decimal import Decimal
 
 import msgspec
 
-from autograder.kinds.strict import Place
-from autograder.kinds.written import Written, check_python_name
+from autograder.questions.strict import Place
+from autograder.questions.written import Written, check_python_name
 
 Number = int | float
 MOST = 100_000  # variants; more would only make the proof choose among more
@@ -115,6 +115,12 @@ def read_variables(table: object, name: str, place: Place) -> Variables:
                 raise ValueError("give at least one value, and finite ones")
             if len(set(values[key])) != len(values[key]):
                 raise ValueError("a value stands twice")
+        except msgspec.ValidationError:
+            raise place.error(
+                f"the variable {key!r}: write its values as numbers, such as [3, 4, 5], or as "
+                "{sheet = 3, from = 4, to = 6, step = 1}",
+                (key,),
+            ) from None
         except ValueError as error:
             raise place.error(f"the variable {key!r}: {error}", (key,)) from None
     variables = Variables(name, values)

@@ -1,16 +1,16 @@
 """What an author writes: the base of every table, and the types of its fields.
 
 A table is a `msgspec.Struct`. Its fields say what may stand in the file, and both the strict reader
-(`autograder.kinds.strict`) and the schema for editors (`autograder.kinds.schema`) follow from them.
-What no type can say is checked in ``__post_init__``, which raises a `ValueError` whose text is the
-problem alone; the reader adds where it is.
+(`autograder.questions.strict`) and the schema for editors (`autograder.authoring.schema`) follow
+from them. What no type can say is checked in ``__post_init__``, which raises a `ValueError` whose
+text is the problem alone; the reader adds where it is.
 """
 
 from __future__ import annotations
 
 import keyword
 import re
-from typing import Annotated
+from typing import Annotated, ClassVar
 
 import msgspec
 from msgspec import Meta
@@ -29,6 +29,8 @@ Credit = Annotated[float, Meta(ge=0, le=1, description="the share of the points 
 
 class Written(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """A table with known fields, all of the right type; texts have no blanks around them."""
+
+    refused: ClassVar[dict[str, str]] = {}  # fields that one may expect, and why there are none
 
     def __post_init__(self) -> None:
         for field in self.__struct_fields__:

@@ -6,7 +6,7 @@ msgspec finds what is wrong; here it becomes one sentence with the file, the lin
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from difflib import get_close_matches
 from math import isfinite
@@ -15,8 +15,8 @@ from typing import Any, TypeVar
 import msgspec
 
 from autograder.errors import CourseError
-from autograder.kinds import toml_lines
-from autograder.kinds.written import BLANK, ID, NAME, Written, check_python_name
+from autograder.questions import toml_lines
+from autograder.questions.written import BLANK, ID, NAME, Written, check_python_name
 
 Table = dict[str, Any]  # of TOML, before this reader has seen it
 
@@ -31,6 +31,7 @@ _WORDS = {
     "object": "a table",
     "datetime": "a date and time such as 2026-11-20T23:59:00",
 }
+_ALIKE = 0.75  # how alike two names must be for one to be meant by the other: not points and hints
 _AT = re.compile(r"^(?P<problem>.*?)(?: - at `\$(?P<path>[^`]*)`)?$", re.DOTALL)
 _EXPECTED = re.compile(r"Expected `(?P<wanted>[^`]*)`(?P<rest>.*)", re.DOTALL)
 _FIELD = re.compile(r"Object (?P<what>missing required|contains unknown) field `(?P<name>.*)`")
@@ -83,8 +84,8 @@ def _explained(
         inside = f"in {owner}, " if path else ""
         if field["what"] == "missing required":
             return f"{inside}the field {field['name']!r} is missing", path
-        near = get_close_matches(field["name"], _known(kind, path), 1)
-        cure = f"perhaps {near[0]!r} is meant" if near else "remove or correct it"
+        refused = {} if path else kind.refused
+        cure = refused.get(field["name"]) or meant(field["name"], _known(kind, path))
         return f"{inside}unknown field {field['name']!r}; {cure}", (*path, field["name"])
     if problem.startswith("Invalid enum value"):
         return f"{_trail(table, path)} is {_at(table, path)!r}; write {_choices(kind, path)}", path
@@ -94,6 +95,12 @@ def _explained(
     if expected := _EXPECTED.match(problem):
         return _expected(expected["wanted"], expected["rest"], table, path), path
     return (f"in {_trail(table, path)}, {problem}" if path else problem), path
+
+
+def meant(name: str, known: Iterable[str]) -> str:
+    """What to do about a name that is not known: which of those it looks like, if any."""
+    near = get_close_matches(name, list(known), 1, _ALIKE)
+    return f"perhaps {near[0]!r} is meant" if near else "remove or correct it"
 
 
 def _expected(wanted: str, rest: str, table: dict[str, object], path: toml_lines.Path) -> str:

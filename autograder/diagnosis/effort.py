@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from autograder.exchange.messages import Value
-from autograder.marking.mutants.mutant import OutOfTime
+from autograder.mutants.mutant import OutOfTime
 
 
 class Effort:

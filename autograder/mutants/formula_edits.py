@@ -6,7 +6,7 @@ import ast
 import copy
 from collections.abc import Iterator, Sequence
 
-from autograder.marking.mutants.mutant import Mutant
+from autograder.mutants.mutant import Mutant
 
 _OTHER_FUNCTION = {"sin": "cos", "cos": "sin", "log": "exp", "exp": "log", "floor": "ceil"}
 

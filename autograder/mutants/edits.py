@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterator
 from itertools import chain
 from typing import TypeVar
 
-from autograder.marking.mutants.mutant import Mutant
+from autograder.mutants.mutant import Mutant
 
 Function = ast.FunctionDef
 Node = TypeVar("Node", bound=ast.AST)

@@ -9,6 +9,7 @@ from collections.abc import Iterator
 Path = tuple[str | int, ...]
 
 _HEADER = re.compile(r"\s*(\[\[?)(.+?)\]\]?\s*(#.*)?$")
+_TEXTS = re.compile(r""""(?:[^"\\]|\\.)*"|'[^']*'""")
 _KEY = re.compile(
     r"\s*((?:[\w-]+|\"[^\"]*\"|'[^']*')(?:\s*\.\s*(?:[\w-]+|\"[^\"]*\"|'[^']*'))*)\s*="
 )
@@ -18,12 +19,13 @@ def line_of(text: str, path: Path) -> int | None:
     """The line, counted from 1, of the field at ``path`` in a TOML text, or of what it is part of.
 
     ``("question", 2, "title")`` is the title of the third ``[[question]]``. The line of the longest
-    beginning of the path that has one is given, and None if there is none.
+    beginning of the path that has one is given, and None if there is none. Where only parts of the
+    field begin a line, as those of a list of ``[[tables]]``, it is the line of the first of them.
     """
     best, known = None, 0
     for number, place in _places(text):
         shared = _shared(place, path)
-        if shared == len(place) and shared > known:
+        if shared in (len(place), len(path)) and shared > known:
             best, known = number, shared
     return best
 
@@ -40,10 +42,19 @@ def _places(text: str) -> Iterator[tuple[int, Path]]:
     counts: dict[Path, int] = {}
     table: Path = ()
     closing = ""  # what ends the text of several lines that we are inside of
+    entries: Path | None = None  # the list of several lines that we are inside of
+    entry, depth = 0, 0
     for number, line in enumerate(text.splitlines(), 1):
         if closing:
             if closing in line:
                 closing = ""
+            continue
+        if entries is not None:
+            if depth == 1 and line.strip()[:1] not in ("", "#", "]"):
+                yield number, (*entries, entry)
+                entry += 1
+            depth += _opened(line)
+            entries = entries if depth > 0 else None
             continue
         if header := _HEADER.match(line):
             names = _names(header[2])
@@ -55,9 +66,18 @@ def _places(text: str) -> Iterator[tuple[int, Path]]:
             names = _names(key[1])
             if names is not None:
                 yield number, table + names
+                if line[key.end() :].partition("#")[0].strip() == "[":
+                    entries, entry, depth = table + names, 0, 1
+                    continue
         for quotes in ('"""', "'''"):
             if line.count(quotes) % 2:
                 closing = quotes
+
+
+def _opened(line: str) -> int:
+    """How many more brackets a line opens than it closes, outside of texts and of a comment."""
+    bare = _TEXTS.sub("", line).partition("#")[0]
+    return sum(bare.count(sign) for sign in "[{") - sum(bare.count(sign) for sign in "]}")
 
 
 def _names(dotted: str) -> Path | None:
