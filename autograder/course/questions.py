@@ -125,5 +125,8 @@ def question_from_table(table: Table, chapter: str, text: str = "", position: in
             raise place.error(f"unknown field {near!r}; perhaps 'kind' is meant", (near,))
         raise place.error(f"the field 'kind' is missing; write one of {', '.join(kind_names())}")
     if not isinstance(name, str) or not has_kind(name):
-        raise place.error(f"kind {name!r} is not one of {', '.join(kind_names())}", ("kind",))
+        cure = meant(str(name), kind_names())
+        raise place.error(
+            f"kind {name!r} is not one of {', '.join(kind_names())}; {cure}", ("kind",)
+        )
     return read_table(dict(table), kind_named(name).question_type, place, chapter=chapter)

@@ -17,6 +17,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from autograder.course import Settings
+from autograder.course.folders import VISIBLE_FILES
 from autograder.errors import AutograderError, MachineError, machine_error, short_of
 from autograder.exchange.channel import Channel
 from autograder.exchange.messages import Message
@@ -297,8 +298,9 @@ class Host:
         (self._folder / "notebooks").rename(course / "notebooks")
         if (root / "data").is_dir():
             (course / "data").symlink_to(root / "data")
-        if (root / "pyproject.toml").is_file():
-            shutil.copy(root / "pyproject.toml", course)
+        for name in VISIBLE_FILES:
+            if (root / name).is_file():
+                shutil.copy(root / name, course)
         self._scratch = scratch
         if self._identity:
             os.chmod(self._folder, 0o711)
