@@ -26,11 +26,11 @@ from typing import TypeVar
 import numpy as np
 
 from autograder.course import Course, load_course
-from autograder.kinds.answer import Alternative
 from autograder.kinds.expression.answer import ExpressionAnswer
 from autograder.kinds.number.answer import NumberAnswer
 from autograder.kinds.order.answer import OrderAnswer
 from autograder.kinds.true_false.answer import TrueFalseAnswer
+from autograder.questions.answer import Alternative
 from solutions.make_sample_class import Work
 
 A = TypeVar("A", bound=Alternative)

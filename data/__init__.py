@@ -73,7 +73,10 @@ def campus_photographs() -> Mapping[str, NDArray[np.uint8]]:
 
 @cache
 def campus_queries() -> Mapping[str, NDArray[np.uint8]]:
-    """The 5 photographs of the same walk that were held back as queries, by number."""
+    """The 5 photographs of the same walk that were held back as queries, by number.
+
+    Each is (426, 640, 3), as those of `campus_photographs`.
+    """
     return _photographs("queries", 5)
 
 

@@ -30,7 +30,7 @@ def two_views(
     """Match the features of two photographs and look for the geometry that most matches share.
 
     Args:
-        one, other: OpenCV's keypoints with their descriptors.
+        one, other: OpenCV's keypoints with their (n, d) descriptors.
         norm: how far descriptors are apart: NORM_L2 for SIFT, NORM_HAMMING for ORB.
 
     Matches are each other's nearest and clearly nearer than the second nearest; of several between

@@ -14,6 +14,7 @@ from hypothesis import HealthCheck, settings
 from playwright.sync_api import Browser, sync_playwright
 from tiny_course import TinyCourse, make_tiny_course
 
+from autograder import language
 from autograder.course import Course, load_course
 
 # How long an example takes says how busy the machine is, and nothing about the code.
@@ -49,12 +50,13 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 
 @pytest.hookimpl(wrapper=True)
 def pytest_runtest_protocol(item: pytest.Item) -> Iterator[None]:
-    """Give the next test this course's own packages again, whichever course a test has loaded."""
+    """Give the next test this course's packages and language, whichever course one has loaded."""
     path = sys.path[:]
     before = {n: m for n, m in sys.modules.items() if n.partition(".")[0] in OWN}
     try:
         return (yield)
     finally:
+        language.use("")
         sys.path[:] = path
         for name in OWN:
             if name in before and sys.modules.get(name) is not before[name]:

@@ -13,15 +13,13 @@ import pytest
 
 ROOT = Path(__file__).parent.parent
 ENGINE = ROOT / "autograder"
-KINDS = {path.parent.name for path in (ENGINE / "kinds").glob("*/kind.py")}
-A_KIND = "kinds/*"
 
 
 def written_order() -> list[str]:
     """The rooms from the lowest up, as CONTRIBUTING lists them."""
     text = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
     table = text.partition("## Rooms")[2].partition("\n## ")[0]
-    return re.findall(r"^\| `([\w/*]+)` \|", table, re.MULTILINE)
+    return re.findall(r"^\| `(\w+)` \|", table, re.MULTILINE)
 
 
 def room_of(module: str) -> str | None:
@@ -29,8 +27,6 @@ def room_of(module: str) -> str | None:
     parts = module.split(".")
     if parts[0] != "autograder" or len(parts) == 1:
         return None
-    if parts[1] == "kinds" and len(parts) > 2 and parts[2] in KINDS:
-        return A_KIND
     return parts[1]
 
 
@@ -57,11 +53,8 @@ def is_inside(path: Path) -> bool:
 
 
 def test_every_folder_is_a_room_with_a_place_in_the_order():
-    folders = {path.parent.name for path in ENGINE.glob("*/__init__.py")} | {
-        A_KIND,
-        "errors",
-    }
-    assert folders == set(written_order())
+    folders = {path.parent.name for path in ENGINE.glob("*/__init__.py")}
+    assert {*folders, "errors"} == set(written_order())
 
 
 def test_few_modules_lie_at_the_root():
@@ -87,8 +80,8 @@ def test_an_arrow_that_runs_up_would_be_noticed(tmp_path):
     path = tmp_path / "x.py"
     path.write_text("def f():\n    from autograder.cli.grade import run\n")
     assert [room_of(name) for name in imported(path)] == ["cli"]
-    assert room_of("autograder.kinds.number.marking") == A_KIND
-    assert room_of("autograder.kinds.mark") == "kinds"
+    assert room_of("autograder.kinds.number.marking") == "kinds"
+    assert room_of("autograder.questions.mark") == "questions"
 
 
 @pytest.mark.parametrize("room", ["exchange"])
@@ -107,9 +100,9 @@ def test_what_runs_beside_the_student_imports_nothing_that_knows_the_key():
         for name in imported(path):
             if not name.startswith("autograder."):
                 continue
-            itself = ".inside" in name or name in ("autograder.kinds", "autograder.kinds.typed")
+            itself = ".inside" in name or name == "autograder.questions.typed"
             asked = ".question." in name or name == "autograder.course.load_course"
-            parser = name.startswith("autograder.kinds.typed.")
+            parser = name.startswith("autograder.questions.typed.")
             assert room_of(name) in allowed or itself or asked or parser, (module, name)
 
 

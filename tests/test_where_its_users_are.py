@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import importlib.util
 import json
+import os
 import re
 import shlex
+import subprocess
+import sys
 import tomllib
 from pathlib import Path
 
@@ -12,8 +16,16 @@ import pytest
 import yaml
 
 ROOT = Path(__file__).parents[1]
+# What this test run has set, and a user has not.
+OURS = {"VIRTUAL_ENV", "AUTOGRADER_LONG", "AUTOGRADER_RESPONSES", "AUTOGRADER_WIDGETS"}
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
 WORKFLOWS = sorted((ROOT / ".github/workflows").glob("*.yml"))
+
+specification = importlib.util.spec_from_file_location("as_a_user", ROOT / ".ci/as_a_user.py")
+assert specification is not None
+assert specification.loader is not None
+as_a_user = importlib.util.module_from_spec(specification)
+specification.loader.exec_module(as_a_user)
 
 
 def paths_in(command: str) -> list[str]:
@@ -49,13 +61,65 @@ def test_the_container_installs_an_extra_that_exists():
     assert container["image"].partition("python:")[2] >= "3.11"
 
 
-def test_binder_installs_folders_that_are_distributions():
+def test_binder_installs_the_folder_and_nothing_twice():
+    # pip refuses a folder that is asked for twice, once to be edited and once not: the course asks
+    # for the engine beside it by itself.
     lines = (ROOT / ".binder/requirements.txt").read_text(encoding="utf-8").splitlines()
-    for line in lines:
-        folder = ROOT / line.removeprefix("-e ")
-        assert (folder / "pyproject.toml").is_file(), line
-    # The engine first: the course requires it, and it is on no index.
-    assert lines[0] == "-e ./autograder"
+    assert lines == ["-e ."]
+
+
+def test_what_the_readme_installs_asks_for_no_folder_twice():
+    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    commands = [line for line in text.splitlines() if re.search(r'pip install .*-e "?\.', line)]
+    assert len(commands) == 3
+    assert [line for line in commands if "-e autograder" in line] == []
+
+
+@pytest.mark.parametrize("after", ["## Try it", "and for students:", "**Plain pip**"])
+def test_what_is_tried_in_a_clean_system_is_what_the_readme_says(after: str):
+    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    commands = as_a_user.readme_block(after)
+    assert commands
+    for command in commands:
+        assert command in text
+        assert "#" not in command
+
+
+def test_every_way_that_the_workflow_tries_is_one_of_the_script_s():
+    script = (ROOT / ".ci/clean").read_text(encoding="utf-8")
+    (known,) = re.findall(r"(?m)^.* checks=\((.*)\)$", script)
+    jobs = yaml.safe_load(WORKFLOWS[-1].read_text(encoding="utf-8"))["jobs"]
+    assert jobs["clean"]["strategy"]["matrix"]["check"] == known.split()
+
+
+@pytest.fixture
+def clone(tmp_path: Path) -> Path:
+    """What a user has before the first command: this repository's last commit."""
+    folder = tmp_path / "a clone"
+    subprocess.run(["git", "clone", "-q", "--no-local", str(ROOT), str(folder)], check=True)
+    return folder
+
+
+@pytest.mark.long
+def test_the_newest_pip_finds_what_binder_and_the_readme_ask_for(clone: Path, tmp_path: Path):
+    subprocess.run([sys.executable, "-m", "venv", str(tmp_path / "env")], check=True)
+    pip = [str(tmp_path / "env/bin/python"), "-m", "pip", "install", "-q"]
+    subprocess.run([*pip, "--upgrade", "pip"], check=True)
+    for asked in (["-r", ".binder/requirements.txt"], ["--group", "dev", "-e", "."]):
+        subprocess.run([*pip, "--dry-run", *asked], cwd=clone, check=True)
+
+
+@pytest.mark.long
+def test_the_readme_s_first_commands_work_in_a_fresh_clone(clone: Path):
+    command = [sys.executable, ".ci/as_a_user.py", "readme"]
+    told = {
+        name: value
+        for name, value in os.environ.items()
+        if name not in OURS and not name.startswith("PYTEST_")
+    }
+    done = subprocess.run(command, cwd=clone, env=told, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert len(done.stdout.splitlines()) == 3
 
 
 def test_the_citation_names_this_version_and_licence():

@@ -27,9 +27,9 @@ from autograder.course import DEMO, Course
 from autograder.course.folders import NOTEBOOKS, SOLVED, cell_id
 from autograder.errors import CourseError
 from autograder.exchange.building import BUILDING
-from autograder.kinds.exercise import heading as exercise_heading
-from autograder.kinds.question import Question
-from autograder.kinds.registry import kind_of
+from autograder.questions.exercise import heading as exercise_heading
+from autograder.questions.question import Question
+from autograder.questions.registry import kind_of
 
 START_ID = "start"
 # A package of this name on PyPI is another project; whoever installs that is told the same.

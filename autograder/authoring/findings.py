@@ -13,15 +13,15 @@ import msgspec
 from autograder.course import Course
 from autograder.course.questions import Question
 from autograder.course.right_work import module_of, right_work_of
-from autograder.kinds.answer import Answer
-from autograder.kinds.registry import kind_of
 from autograder.mutants.clones import course_sources
 from autograder.mutants.mutant import Mutant
+from autograder.questions.answer import Answer
+from autograder.questions.registry import kind_of
 
 _CACHE = Path(".mutants_cache")
 _PACKAGE = Path(__file__).parents[1]
 # What decides on a proof, beside the course: how mutants are made, tried and marked.
-_ENGINE = ("kinds", "marking", "sandbox/inside", "authoring")
+_ENGINE = ("questions", "kinds", "mutants", "diagnosis", "marking", "sandbox/inside", "authoring")
 
 
 @dataclass(frozen=True)

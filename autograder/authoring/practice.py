@@ -13,7 +13,7 @@ from pathlib import Path
 from autograder.course import Course
 from autograder.course.folders import ANSWERS, QUESTIONS
 from autograder.errors import UsageError
-from autograder.kinds.registry import kind_of
+from autograder.questions.registry import kind_of
 
 PRACTICE = Path("practice")
 

@@ -26,9 +26,9 @@ from autograder.course.questions import Question
 from autograder.errors import AutograderError
 from autograder.grading.submission import grade_contents
 from autograder.intake.submissions import Contents, Notebook
-from autograder.kinds.registry import kind_of
-from autograder.kinds.toml_lines import line_of
 from autograder.marking.marker import Marker
+from autograder.questions.registry import kind_of
+from autograder.questions.toml_lines import line_of
 from autograder.sandbox.launcher import Sandbox
 
 # Hidden inputs are random: what holds for one draw must hold for others.

@@ -14,8 +14,8 @@ from autograder.course.right_work import (
     right_work_of,
     unexpected_right_work,
 )
-from autograder.kinds.registry import kind_of
 from autograder.marking.marker import Marker
+from autograder.questions.registry import kind_of
 
 
 def prove_by_mutants(

@@ -13,12 +13,12 @@ from msgspec import structs
 from autograder.course import Course, load_course
 from autograder.course.questions import Question
 from autograder.course.right_work import right_work_of
-from autograder.kinds.answer import Answer
-from autograder.kinds.drawn import Drawn
-from autograder.kinds.registry import kind_of
 from autograder.marking.draw import draw, random_numbers
 from autograder.mutants.limit import time_limit
 from autograder.mutants.mutant import OutOfTime, Trial
+from autograder.questions.answer import Answer
+from autograder.questions.drawn import Drawn
+from autograder.questions.registry import kind_of
 from autograder.sandbox.inside.evaluate import evaluate
 
 MUTANT_SEEDS = range(1, 11)

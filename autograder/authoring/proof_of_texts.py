@@ -18,9 +18,9 @@ from autograder.course.filling import KEPT
 from autograder.course.folders import ANSWERS, QUESTIONS
 from autograder.course.questions import Written
 from autograder.course.selections import FIELD
-from autograder.kinds.formula import CONSTANTS, FUNCTIONS
-from autograder.kinds.strict import Place
-from autograder.kinds.toml_lines import Path
+from autograder.questions.formula import CONSTANTS, FUNCTIONS
+from autograder.questions.strict import Place
+from autograder.questions.toml_lines import Path
 
 _MATH = re.compile(r"\$\$.*?\$\$|\$[^$]{0,400}\$", re.DOTALL)
 _ESCAPES = {"\t": "t", "\b": "b", "\f": "f", "\r": "r", "\n": "n"}

@@ -18,10 +18,10 @@ from autograder.course import Course
 from autograder.course.filling import value_of
 from autograder.course.questions import Question
 from autograder.errors import CourseError
-from autograder.kinds.answer import Answer
-from autograder.kinds.registry import kind_of
-from autograder.kinds.variables import Variables
 from autograder.marking.draw import draw
+from autograder.questions.answer import Answer
+from autograder.questions.registry import kind_of
+from autograder.questions.variables import Variables
 
 MOST = 500  # variants that are tried; more are drawn from
 _TRIVIAL = (0, 1)

@@ -15,7 +15,7 @@ from pathlib import Path
 
 from autograder.course import Course
 from autograder.course.settings import setting_lines
-from autograder.kinds.strict import Table
+from autograder.questions.strict import Table
 
 ENGINE = "course-autograder"
 LAB = "lab"

@@ -16,8 +16,8 @@ from autograder.course.predictions import Prediction
 from autograder.course.settings import WrittenSettings
 from autograder.gradebook.read_scheme import WrittenScheme
 from autograder.intake.written_class import WrittenClass
-from autograder.kinds.registry import kind_named, kind_names
-from autograder.kinds.written import Written
+from autograder.questions.registry import kind_named, kind_names
+from autograder.questions.written import Written
 
 FOLDER = ".schemas"
 

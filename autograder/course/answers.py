@@ -9,10 +9,10 @@ from collections.abc import Mapping
 
 from autograder.course.filling import fill
 from autograder.errors import CourseError
-from autograder.kinds.answer import Alternative, Answer
-from autograder.kinds.question import Question
-from autograder.kinds.registry import kind_of
-from autograder.kinds.strict import Place, read_table
+from autograder.questions.answer import Alternative, Answer
+from autograder.questions.question import Question
+from autograder.questions.registry import kind_of
+from autograder.questions.strict import Place, read_table
 
 __all__ = ["Alternative", "Answer", "answer_from_table"]
 

@@ -27,10 +27,10 @@ from autograder.course.questions import Question, Written
 from autograder.course.settings import Settings, read_settings
 from autograder.course.toml_file import read_toml, unreadable
 from autograder.errors import CourseError, UsageError
-from autograder.kinds.registry import load_kind
-from autograder.kinds.strict import Place, Table, meant, read_table
-from autograder.kinds.variables import Variables, read_variables
 from autograder.language import N_, _, use
+from autograder.questions.registry import load_kind
+from autograder.questions.strict import Place, Table, meant, read_table
+from autograder.questions.variables import Variables, read_variables
 
 DEMO = "demo"  # the tag of a cell that only shows something
 _PACKAGE = Path(__file__).parents[1]

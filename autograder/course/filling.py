@@ -14,7 +14,7 @@ from collections.abc import Collection, Mapping
 from functools import partial
 
 from autograder.errors import CourseError
-from autograder.kinds.formula import CONSTANTS, FUNCTIONS, evaluate_formula
+from autograder.questions.formula import CONSTANTS, FUNCTIONS, evaluate_formula
 
 # What names things stays the same in every variant; the notebook's code reads variables itself.
 KEPT = frozenset({"id", "kind", "name", "variable", "function", "code", "story", "variables"})

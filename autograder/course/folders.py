@@ -11,6 +11,8 @@ SOLUTIONS = Path("solutions")  # the references, mistakes and cases
 ANSWERS = SOLUTIONS / "answers"
 SOLVED = SOLUTIONS / "notebooks"
 DATA = Path("data")
+# What a notebook needs beside its folders, to say the numbers and the language that students saw.
+VISIBLE_FILES = ("pyproject.toml", "places.toml")
 
 
 def student_notebooks(root: Path) -> list[Path]:

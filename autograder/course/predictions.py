@@ -16,8 +16,8 @@ from msgspec import Meta
 
 from autograder.course.filling import fill_text
 from autograder.errors import UsageError
-from autograder.kinds.written import Text, Written
 from autograder.language import _
+from autograder.questions.written import Text, Written
 
 ID = r"^P\d+(\.\d+)*[a-z]?$"
 MOST_DIGITS = 6  # of a number in words

@@ -10,10 +10,10 @@ from dataclasses import dataclass, replace
 
 from autograder.course.filling import fill
 from autograder.course.selections import DRAW, FIELD, drawn, read_draws
-from autograder.kinds.question import Question
-from autograder.kinds.registry import has_kind, kind_named, kind_names
-from autograder.kinds.strict import Place, Table, meant, read_table
-from autograder.kinds.variables import Variables, read_variables
+from autograder.questions.question import Question
+from autograder.questions.registry import has_kind, kind_named, kind_names
+from autograder.questions.strict import Place, Table, meant, read_table
+from autograder.questions.variables import Variables, read_variables
 
 __all__ = ["Question", "Written", "question_from_table"]
 
@@ -125,5 +125,8 @@ def question_from_table(table: Table, chapter: str, text: str = "", position: in
             raise place.error(f"unknown field {near!r}; perhaps 'kind' is meant", (near,))
         raise place.error(f"the field 'kind' is missing; write one of {', '.join(kind_names())}")
     if not isinstance(name, str) or not has_kind(name):
-        raise place.error(f"kind {name!r} is not one of {', '.join(kind_names())}", ("kind",))
+        cure = meant(str(name), kind_names())
+        raise place.error(
+            f"kind {name!r} is not one of {', '.join(kind_names())}; {cure}", ("kind",)
+        )
     return read_table(dict(table), kind_named(name).question_type, place, chapter=chapter)

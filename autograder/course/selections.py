@@ -13,8 +13,8 @@ key, proves each draw.
 
 from __future__ import annotations
 
-from autograder.kinds.strict import Place, Table
-from autograder.kinds.variables import Variables
+from autograder.questions.strict import Place, Table
+from autograder.questions.variables import Variables
 
 FIELD = "draws"
 DRAW = "draw"  # the variable that says which draw a variant has

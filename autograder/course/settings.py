@@ -10,8 +10,8 @@ import msgspec
 from msgspec import Meta
 
 from autograder.course.toml_file import read_toml
-from autograder.kinds.strict import Place, meant, read_table
-from autograder.kinds.written import Written
+from autograder.questions.strict import Place, meant, read_table
+from autograder.questions.written import Written
 
 _LARGEST = 1_000_000  # beyond all use, and within what timers and counters can take
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import unicodedata
 from collections.abc import Sequence
 
 from autograder.errors import UsageError
@@ -37,8 +38,8 @@ def find_record(records: Sequence[Record], said: str, missing: Sequence[Person] 
         called = {text.casefold() for text in (*person.identifiers(), person.number)}
         if wanted.casefold() in called or _orders(person.name) & _orders(wanted):
             raise UsageError(f"{person.text()} is in the class list and handed in nothing.")
-    part = plain_name(wanted)
-    near = [r for r in records if part and part in f"{plain_name(r.name)} {plain_name(r.student)}"]
+    part = _bare(wanted)
+    near = [r for r in records if part and part in _bare(f"{r.name} {r.student}")]
     known = _listed(near) if near else f"{len(records)} others"
     raise UsageError(f"The gradebook has no student {said!r}; it has {known}.")
 
@@ -64,6 +65,12 @@ def _orders(name: str) -> set[str]:
     """A name as it is, and ``Lovelace, Ada`` as ``Ada Lovelace``."""
     last, _, first = name.partition(",")
     return {plain_name(name), plain_name(f"{first} {last}")} - {""}
+
+
+def _bare(name: str) -> str:
+    """A name without accents, as it is typed on another keyboard: enough to suggest it, no more."""
+    letters = unicodedata.normalize("NFKD", plain_name(name))
+    return "".join(letter for letter in letters if not unicodedata.combining(letter))
 
 
 def _listed(records: Sequence[Record]) -> str:

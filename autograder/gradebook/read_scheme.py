@@ -14,8 +14,8 @@ from autograder.errors import CourseError, UsageError
 from autograder.gradebook.lookup import find_record
 from autograder.gradebook.record import Record
 from autograder.gradebook.scheme import Curve, Scheme, plain_scheme
-from autograder.kinds.strict import Place, read_table
-from autograder.kinds.written import Text, Written
+from autograder.questions.strict import Place, read_table
+from autograder.questions.written import Text, Written
 
 Rule = Literal["newest", "best", "mean"]
 NotNegative = Annotated[float, Meta(ge=0)]

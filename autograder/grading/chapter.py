@@ -16,12 +16,12 @@ from autograder.exchange.reasons import REASONS
 from autograder.exchange.replies import NOT_PLAIN
 from autograder.grading.own_exceptions import defining_cell, import_notes, shown_code
 from autograder.intake.submissions import Contents
-from autograder.kinds.drawn import Drawn
-from autograder.kinds.mark import NO_VALUE
-from autograder.kinds.registry import kind_of
 from autograder.language import N_, _
 from autograder.marking import Mark, not_attempted, stopped
 from autograder.marking.marker import Marker
+from autograder.questions.drawn import Drawn
+from autograder.questions.mark import NO_VALUE
+from autograder.questions.registry import kind_of
 from autograder.sandbox.launcher import Sandbox, Session, Stopped
 
 Opening = Evaluation | Stopped | None

@@ -8,8 +8,8 @@ from dataclasses import replace
 from autograder.course import Course
 from autograder.grading.graded import Graded
 from autograder.intake.person import Person
-from autograder.kinds.variables import canonical
 from autograder.language import N_, _
+from autograder.questions.variables import canonical
 
 NOT_THEIRS = N_("This was done with the numbers of somebody else, which counts for nothing here.")
 

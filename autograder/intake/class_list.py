@@ -45,8 +45,8 @@ from autograder.intake.people import join_people, read_people
 from autograder.intake.person import Person
 from autograder.intake.tables import read_text
 from autograder.intake.written_class import WrittenClass, WrittenLate, WrittenStudent
-from autograder.kinds import toml_lines
-from autograder.kinds.strict import Place, read_table
+from autograder.questions import toml_lines
+from autograder.questions.strict import Place, read_table
 
 
 @dataclass(frozen=True)

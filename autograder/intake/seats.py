@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from autograder.intake.person import Person
-from autograder.kinds.variables import canonical
+from autograder.questions.variables import canonical
 
 
 def seats(people: Sequence[Person]) -> tuple[dict[str, int], tuple[str, ...]]:

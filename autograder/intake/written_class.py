@@ -7,7 +7,7 @@ from typing import Annotated
 
 from msgspec import Meta
 
-from autograder.kinds.written import Text, Written
+from autograder.questions.written import Text, Written
 
 NotNegative = Annotated[float, Meta(ge=0)]
 Percent = Annotated[float, Meta(ge=0, le=100)]

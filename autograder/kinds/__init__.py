@@ -1,6 +1,5 @@
-"""The kinds of question, a folder each, behind one protocol.
+"""The kinds of question, a folder each, behind the protocol in `autograder.questions.kind`.
 
-`autograder.kinds.kind` says what a kind does, `autograder.kinds.registry` finds the folders. A
-folder holds in ``kind.py`` the object ``KIND``; what runs beside a student's code is in
+A folder holds in ``kind.py`` the object ``KIND``; what runs beside a student's code is in
 ``inside/`` and imports nothing of the trusted side. The rest of the engine names no kind.
 """

@@ -1,5 +1,5 @@
 """Marking: a response and the answer to a question make a mark. Pure functions."""
 
-from autograder.kinds.mark import STATUSES, Mark, Part, not_attempted, stopped
+from autograder.questions.mark import STATUSES, Mark, Part, not_attempted, stopped
 
 __all__ = ["STATUSES", "Mark", "Part", "not_attempted", "stopped"]

@@ -8,10 +8,10 @@ from pathlib import Path
 
 import numpy as np
 
-from autograder.kinds.answer import Answer
-from autograder.kinds.drawn import Drawn
-from autograder.kinds.question import Question
-from autograder.kinds.registry import kind_of
+from autograder.questions.answer import Answer
+from autograder.questions.drawn import Drawn
+from autograder.questions.question import Question
+from autograder.questions.registry import kind_of
 
 
 def draw(question: Question, answer: Answer, seed: int, root: Path) -> Drawn:

@@ -15,14 +15,14 @@ import numpy as np
 from autograder.course import Course
 from autograder.course.questions import Question
 from autograder.errors import UsageError
-from autograder.kinds.answer import Answer
-from autograder.kinds.drawn import Drawn
-from autograder.kinds.reading import Reading
-from autograder.kinds.registry import kind_of
 from autograder.language import _
 from autograder.marking import Mark
 from autograder.marking.draw import draw, seed_of_set, set_of_variant
 from autograder.marking.neighbors import around
+from autograder.questions.answer import Answer
+from autograder.questions.drawn import Drawn
+from autograder.questions.reading import Reading
+from autograder.questions.registry import kind_of
 
 OTHER_NUMBERS = "right for other numbers"  # the name of the mistake
 MOST_TRIED = 500  # variants that a wrong response is compared with

@@ -21,9 +21,9 @@ from autograder.errors import AutograderError
 from autograder.exchange import wire
 from autograder.exchange.identity import VARIANTS
 from autograder.exchange.messages import Message
-from autograder.kinds.registry import kind_of
 from autograder.language import follow_environment
 from autograder.marking.marker import Marker
+from autograder.questions.registry import kind_of
 
 
 def main() -> None:

@@ -8,7 +8,7 @@ import json
 from autograder.course import Course
 from autograder.course.folders import student_notebooks
 from autograder.course.questions import Question
-from autograder.kinds.drawn import Around
+from autograder.questions.drawn import Around
 
 
 def around(course: Course, question: Question) -> Around:

@@ -15,11 +15,11 @@ from autograder.course.questions import Question
 from autograder.errors import CourseError
 from autograder.exchange.messages import Message
 from autograder.exchange.reasons import REASONS, UNREAD
-from autograder.kinds.mark import Mark, not_attempted, stopped
-from autograder.kinds.pack import unpack
-from autograder.kinds.registry import kind_of
-from autograder.kinds.snapshot import wrong
 from autograder.language import _
+from autograder.questions.mark import Mark, not_attempted, stopped
+from autograder.questions.pack import unpack
+from autograder.questions.registry import kind_of
+from autograder.questions.snapshot import wrong
 
 SNAPSHOTS = Path("notebooks/snapshots")
 

@@ -16,7 +16,7 @@ from autograder.course import Course
 from autograder.course.answers import Answer
 from autograder.course.loading import load_object
 from autograder.course.questions import Question
-from autograder.kinds.registry import kind_of
+from autograder.questions.registry import kind_of
 
 _SHORTEST = 12  # characters; shorter strings turn up by chance
 _SHORTEST_CODE = 40

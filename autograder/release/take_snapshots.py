@@ -7,9 +7,9 @@ from __future__ import annotations
 
 from autograder.course import Chapter, Course
 from autograder.exchange.messages import Message
-from autograder.kinds.pack import pack
-from autograder.kinds.registry import kind_of
 from autograder.marking.draw import draw
+from autograder.questions.pack import pack
+from autograder.questions.registry import kind_of
 
 # The grader's seeds have 32 bits, so these inputs never grade anybody.
 SEED = 1 << 40

@@ -7,11 +7,11 @@ from dataclasses import dataclass, replace
 from autograder.course import Course
 from autograder.course.questions import Question
 from autograder.gradebook.record import Override, Record
-from autograder.kinds.mark import status_for
-from autograder.kinds.registry import kind_of
-from autograder.kinds.status import Status
 from autograder.language import _, chosen, n_
 from autograder.marking import Mark, Part
+from autograder.questions.mark import status_for
+from autograder.questions.registry import kind_of
+from autograder.questions.status import Status
 from autograder.reports.machine import most_for
 from autograder.reports.markdown import inline, isolated, markdown, text
 from autograder.reports.page import page

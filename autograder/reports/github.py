@@ -13,7 +13,7 @@ from collections.abc import Iterator, Mapping
 
 from autograder.course import Course
 from autograder.gradebook import Record
-from autograder.kinds.status import Status
+from autograder.questions.status import Status
 
 _REMARKS = {"right": None, "recorded": None, "not attempted": "notice", "partial": "warning"}
 

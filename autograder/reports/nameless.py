@@ -8,8 +8,8 @@ from dataclasses import dataclass
 
 from autograder.course import Course
 from autograder.gradebook.record import Record
-from autograder.kinds.mark import Mark
-from autograder.kinds.registry import kind_of
+from autograder.questions.mark import Mark
+from autograder.questions.registry import kind_of
 
 
 @dataclass(frozen=True)

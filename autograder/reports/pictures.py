@@ -14,9 +14,9 @@ import numpy as np
 from autograder.course import Course
 from autograder.course.loading import load_object
 from autograder.exchange.messages import Message
-from autograder.kinds.registry import kind_of
 from autograder.marking import Mark
 from autograder.marking.marker import Marker
+from autograder.questions.registry import kind_of
 from autograder.reports.markdown import text
 from autograder.reports.svg import BLUE, DARK, GREEN, RED, Chart, swatch
 

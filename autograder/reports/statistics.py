@@ -12,9 +12,9 @@ from autograder.course import Course
 from autograder.course.questions import Question
 from autograder.gradebook.record import Record
 from autograder.intake.long_list import LongList
-from autograder.kinds.registry import kind_of
 from autograder.language import N_, _
 from autograder.marking import Mark
+from autograder.questions.registry import kind_of
 from autograder.reports.machine import most_for
 
 FEWEST = 10  # below that, a correlation is chance

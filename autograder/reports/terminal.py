@@ -15,10 +15,10 @@ from autograder.course import Course
 from autograder.exchange.printable import printable as without_controls
 from autograder.gradebook.changes import Change
 from autograder.gradebook.record import Override, Record, names_of
-from autograder.kinds.registry import kind_of
-from autograder.kinds.status import Status
 from autograder.language import _, n_
 from autograder.marking import Mark
+from autograder.questions.registry import kind_of
+from autograder.questions.status import Status
 from autograder.reports.machine import most_for
 
 NARROW = 60  # columns, below which tables are written as lines

@@ -11,6 +11,8 @@ import sys
 from functools import cache
 from pathlib import Path
 
+from autograder.course.folders import VISIBLE_FILES
+
 COURSE = Path("/course")
 SCRATCH = Path("/scratch")
 FONTS = Path("/fonts")
@@ -130,7 +132,8 @@ def command(
     ]
     line += ["--ro-bind", str(notebooks), str(COURSE / "notebooks")]
     line += ["--ro-bind-try", str(root / "data"), str(COURSE / "data")]
-    line += ["--ro-bind-try", str(root / "pyproject.toml"), str(COURSE / "pyproject.toml")]
+    for name in VISIBLE_FILES:
+        line += ["--ro-bind-try", str(root / name), str(COURSE / name)]
     if fonts is not None:
         line += ["--ro-bind", str(fonts), str(FONTS)]
     line += ["--perms", "1777", "--size", str(size_mb * 2**20), "--tmpfs", str(SCRATCH)]

@@ -16,8 +16,8 @@ from contextlib import suppress
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-import autograder
 from autograder.course import Settings
+from autograder.course.folders import VISIBLE_FILES
 from autograder.errors import AutograderError, MachineError, machine_error, short_of
 from autograder.exchange.channel import Channel
 from autograder.exchange.messages import Message
@@ -28,7 +28,7 @@ from autograder.sandbox.identity import OwnIdentity
 from autograder.sandbox.own_folder import OwnFolder
 
 _SYSTEM_FILES = ("/etc/ld.so.cache", "/etc/localtime")
-_PACKAGE = Path(autograder.__file__).parent
+_PACKAGE = Path(__file__).parents[1]
 _WARM_SECONDS = 120.0
 _ANSWER_SECONDS = 15.0
 _SPARE_PROCESSES = 256  # what an instructor may start while a notebook runs
@@ -298,8 +298,9 @@ class Host:
         (self._folder / "notebooks").rename(course / "notebooks")
         if (root / "data").is_dir():
             (course / "data").symlink_to(root / "data")
-        if (root / "pyproject.toml").is_file():
-            shutil.copy(root / "pyproject.toml", course)
+        for name in VISIBLE_FILES:
+            if (root / name).is_file():
+                shutil.copy(root / name, course)
         self._scratch = scratch
         if self._identity:
             os.chmod(self._folder, 0o711)

@@ -14,6 +14,7 @@ from contextlib import suppress
 from pathlib import Path
 
 from autograder.course import Course
+from autograder.course.folders import VISIBLE_FILES
 from autograder.exchange import wire
 from autograder.exchange.messages import Evaluation, Message, Report
 from autograder.exchange.replies import clean_evaluation, clean_report
@@ -154,8 +155,9 @@ def _stage(root: Path, folder: Path) -> None:
                 shutil.copytree(source, folder / name, ignore=ignored, dirs_exist_ok=True)
         elif source.is_dir():
             _link(source, folder / name)
-    if (root / "pyproject.toml").exists():
-        shutil.copy(root / "pyproject.toml", folder)
+    for name in VISIBLE_FILES:
+        if (root / name).exists():
+            shutil.copy(root / name, folder)
 
 
 def _link(source: Path, target: Path) -> None:

@@ -9,8 +9,8 @@ from pathlib import Path
 
 from autograder.course import Course, load_course
 from autograder.errors import AutograderError, UsageError
-from autograder.kinds.registry import kind_of
 from autograder.language import N_, _, follow_environment
+from autograder.questions.registry import kind_of
 from autograder.student import unsaved
 from autograder.student.course_path import course_of_notebook, put_course_first
 from autograder.student.desk import Desk

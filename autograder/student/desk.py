@@ -15,10 +15,10 @@ from autograder.exchange.exception_text import in_words
 from autograder.exchange.messages import Message, Value, Values
 from autograder.exchange.replies import clean_told
 from autograder.exchange.responses import Entry
-from autograder.kinds.mark import Mark, not_attempted, stopped
-from autograder.kinds.registry import kind_of
 from autograder.language import _
 from autograder.marking.snapshots import recorded
+from autograder.questions.mark import Mark, not_attempted, stopped
+from autograder.questions.registry import kind_of
 from autograder.sandbox.inside.evaluate import describe, evaluate
 from autograder.student.frontend import running_shell
 from autograder.student.marker_client import marker_for

@@ -5,8 +5,8 @@ from __future__ import annotations
 from autograder.course import Course
 from autograder.errors import UsageError
 from autograder.exchange.identity import FILE, clean, said_to_be
-from autograder.kinds.variables import canonical
 from autograder.language import _
+from autograder.questions.variables import canonical
 from autograder.student.responses import Responses, responses_folder
 
 

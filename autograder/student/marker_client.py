@@ -13,9 +13,9 @@ from autograder.errors import AutograderError, CourseError
 from autograder.exchange import wire
 from autograder.exchange.identity import VARIANTS
 from autograder.exchange.messages import Message
-from autograder.kinds.mark import Mark
 from autograder.language import _
 from autograder.marking.snapshots import SNAPSHOTS, SnapshotMarker
+from autograder.questions.mark import Mark
 
 _client: MarkerClient | None = None
 _bundle: BundleMarker | None = None
@@ -135,12 +135,12 @@ class MarkerClient:
         return Mark.from_dict(reply["mark"])
 
     def reading(self, id: str, seed: int) -> Message:
-        """Functions to read, as `autograder.kinds.reading.Reading.shown` has them."""
+        """Functions to read, as `autograder.questions.reading.Reading.shown` has them."""
         shown: Message = self._ask({"do": "reading", "question": id, "seed": seed})["shown"]
         return shown
 
     def mark_reading(self, id: str, seed: int, chosen: int, returned: int) -> Message:
-        """What is said of the answers to them, as `autograder.kinds.reading.Reading.mark` does."""
+        """What is said of the answers to them, as `questions.reading.Reading.mark` does."""
         said = {"chosen": chosen, "returned": returned}
         message = {"do": "mark_reading", "question": id, "seed": seed, **said}
         verdict: Message = self._ask(message)["verdict"]

@@ -5,10 +5,10 @@ from __future__ import annotations
 from autograder.course import Course
 from autograder.course.predictions import Guess, Prediction
 from autograder.course.questions import Question
-from autograder.kinds.mark import Mark
-from autograder.kinds.registry import kind_of
-from autograder.kinds.status import Status
 from autograder.language import _, n_
+from autograder.questions.mark import Mark
+from autograder.questions.registry import kind_of
+from autograder.questions.status import Status
 from autograder.student.receipts import RECEIPT, receipt
 from autograder.student.responses import answered, only_recorded, points
 from autograder.student.submission import Packed

@@ -10,7 +10,10 @@ _LONG_AGO = (1980, 1, 1, 0, 0, 0)  # the earliest time that a zip can hold
 
 
 def write_arrays(path: Path, **arrays: np.ndarray) -> None:
-    """Write a compressed ``.npz``; NumPy's own differs from one version of Python to the next."""
+    """Write arrays of any shape to a compressed ``.npz``.
+
+    NumPy's own differs from one version of Python to the next.
+    """
     with zipfile.ZipFile(path, "w") as archive:
         for name, array in arrays.items():
             buffer = io.BytesIO()

@@ -84,7 +84,7 @@ class Journey:
         return self._trees[children]
 
     def votes(self, level: Level, weighted: bool = False, voters: int | None = None) -> np.ndarray:
-        """Return the votes of the query's first `voters` spots (all by default) for each place."""
+        """Return the votes (places,) of the query's first `voters` spots (all by default)."""
         votes = np.zeros(len(self.places))
         weights = level.weights if weighted else np.ones(level.word_count)
         if level.words is None or level.rows is None or weights is None:

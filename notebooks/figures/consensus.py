@@ -57,7 +57,7 @@ def _frame(axes: Axes, points: np.ndarray, margin: float = 0.4) -> None:
 
 
 def few_points() -> np.ndarray:
-    """Return the 26 points of Figure 3: 16 along the line r = 2, alpha = 115°, 10 elsewhere."""
+    """Return the (26, 2) points of Figure 3: 16 along r = 2, alpha = 115°, 10 elsewhere."""
     rng = np.random.default_rng(3)
     alpha = np.radians(115)
     normal = np.array([np.cos(alpha), np.sin(alpha)])
@@ -89,7 +89,7 @@ def hypothesis(points: np.ndarray, line: Any, threshold: float) -> None:
 
 
 def guesses(points: np.ndarray, threshold: float, rng: np.random.Generator) -> None:
-    """Draw six samples of two points, the line through each, and the votes it gets."""
+    """Draw six samples of two of the (N, 2) points, the line through each, and its votes."""
     fig = figure(8, 5.4)
     counts = []
     for axes in fig.subplots(2, 3).flat:
@@ -119,7 +119,7 @@ def guesses(points: np.ndarray, threshold: float, rng: np.random.Generator) -> N
 def found_line(
     points: np.ndarray, ransac_line: StudentFunction, threshold: float, iterations: int
 ) -> None:
-    """Draw the points and the line and inliers that the student's ransac_line finds."""
+    """Draw the (N, 2) points, and the line and inliers that the student's ransac_line finds."""
     fig = figure(7, 4.6)
     axes = fig.subplots()
     plan(axes)

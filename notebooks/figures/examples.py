@@ -21,7 +21,7 @@ from notebooks.figures.style import (
 def nearest_words(
     descriptors: np.ndarray, words: np.ndarray, assign_words: StudentFunction
 ) -> None:
-    """Draw descriptors and words of two entries, each descriptor tied to the word it was given."""
+    """Draw (N, 2) descriptors and (K, 2) words, each descriptor tied to the word it was given."""
     fig = figure(6, 3.4)
     axes = fig.subplots()
     axes.set_aspect("equal")
@@ -47,7 +47,10 @@ def nearest_words(
 def way_down(
     descriptor: np.ndarray, levels: list[np.ndarray], descend_tree: StudentFunction
 ) -> None:
-    """Draw a tree of two levels over its centres (two entries each) and where a descriptor ends."""
+    """Draw a tree of two levels over its centres and where a descriptor (2,) ends.
+
+    `levels` holds (k, 2) centres, and the (k * k, 2) below them, row by row.
+    """
     fig = figure(8, 2.8)
     axes = fig.subplots()
     axes.set_axis_off()

@@ -23,7 +23,7 @@ BAND = 0.3  # m, half the width of the band in which points agree with a line, a
 
 
 def ransac_steps(points: np.ndarray, run: Any, threshold: float) -> None:
-    """Draw what a run of RANSAC found, and how many samples it asked for after each."""
+    """Draw what a run of RANSAC found in (N, 2) points, and the samples it asked for after each."""
     fig = figure(8, 4)
     scene, asked = fig.subplots(1, 2)
     first, second = points[list(run.pair)]
@@ -53,7 +53,7 @@ def ransac_steps(points: np.ndarray, run: Any, threshold: float) -> None:
 
 
 def cloud_views(points: np.ndarray, predicted: str | None = None) -> None:
-    """Draw points, of which the last is an outlier, their cost over r and alpha, and over alpha."""
+    """Draw (N, 2) points, the last an outlier, their cost over r and alpha, and over alpha."""
     fig = figure(8, 3.2)
     scene, space, cost = fig.subplots(1, 3)
     center = points.mean(axis=0)

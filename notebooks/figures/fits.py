@@ -44,7 +44,7 @@ def scan(points: np.ndarray, wall: np.ndarray | None = None) -> None:
 
 
 def fitted_line(points: np.ndarray, fit_line: StudentFunction) -> None:
-    """Draw the points with the line that the student's fit_line finds."""
+    """Draw the (N, 2) points with the line that the student's fit_line finds."""
     fig = figure(7, 4.4)
     axes = fig.subplots()
     plan(axes)
@@ -71,7 +71,7 @@ def uncertain_line(
     sigma: float,
     predicted: str | None = None,
 ) -> None:
-    """Draw the wall stretched across, with the band in which the line lies in 95 % of all cases."""
+    """Draw a wall of (N, 2) points, stretched across, with the 95 % band of its line."""
     fig = figure(8, 3.6)
     axes = fig.subplots()
     quiet(axes)
@@ -161,7 +161,7 @@ def scattered_fits(
     rng: np.random.Generator,
     times: int = 1000,
 ) -> None:
-    """Fit the wall many times with new errors, and compare the spread with the covariance."""
+    """Fit a wall of (N, 2) points with new errors many times, beside what the covariance says."""
     fig = figure(6, 4.2)
     axes = fig.subplots()
     quiet(axes)

@@ -38,7 +38,7 @@ def walls_of_scan(
     iterations: int,
     min_points: int,
 ) -> None:
-    """Draw a scan from above, each wall that the student's find_walls sees in its own colour."""
+    """Draw (N, 2) points of a scan, each wall of the student's find_walls in its own colour."""
     fig = figure(8, 4.6)
     axes = fig.subplots()
     plan(axes)

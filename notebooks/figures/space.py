@@ -66,7 +66,7 @@ def largest_planes(
     predicted: int | None = None,
     count: int = 3,
 ) -> None:
-    """Draw the largest planes that the student's ransac_plane finds, one after the other.
+    """Draw the largest planes that the student's ransac_plane finds in (N, 3) points, in turn.
 
     `predicted` is a number of iterations; it is tried in some runs of its own.
     """

@@ -100,12 +100,12 @@ def line_covariance(
 
 
 def distances(points: np.ndarray, line: Line) -> np.ndarray:
-    """Return the N signed distances in metres, positive on the side that the normal points to."""
+    """Return signed distances (N,) of (N, 2) points in metres, positive where the normal points."""
     return points @ [math.cos(line.alpha), math.sin(line.alpha)] - line.r
 
 
 def positions_along(points: np.ndarray, line: Line) -> np.ndarray:
-    """Return how far each point's foot lies along the line, in metres.
+    """Return how far the foot of each of (N, 2) points lies along the line: (N,), in metres.
 
     Zero is the point of the line that is closest to the origin; positive is to the left of
     the normal.

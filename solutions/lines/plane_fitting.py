@@ -42,5 +42,5 @@ def fit_plane(points: np.ndarray) -> Plane:
 
 
 def plane_distances(points: np.ndarray, plane: Plane) -> np.ndarray:
-    """Return the N signed distances in metres, positive on the side that the normal points to."""
+    """Return signed distances (N,) of (N, 3) points in metres, positive where the normal points."""
     return points @ plane.normal - plane.r

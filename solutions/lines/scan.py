@@ -70,7 +70,7 @@ def is_echo(ranges: np.ndarray, settings: Settings) -> np.ndarray:
 
 
 def as_ranges(ranges: np.ndarray) -> np.ndarray:
-    """Return ranges as floats; a beam that is masked has no echo, which is NaN."""
+    """Return (N,) ranges as floats; a beam that is masked has no echo, which is NaN."""
     return np.where(np.ma.getmaskarray(ranges), np.nan, np.ma.getdata(ranges).astype(float))
 
 
@@ -89,7 +89,7 @@ def scan_points(
 
 
 def check_angles(angles: np.ndarray) -> None:
-    """Raise ValueError unless the beams turn to the left, at most once round.
+    """Raise ValueError unless (N,) beams turn to the left, at most once round.
 
     Gaps and corners are looked for in this order.
     """
@@ -100,7 +100,7 @@ def check_angles(angles: np.ndarray) -> None:
 
 
 def is_full_turn(angles: np.ndarray) -> bool:
-    """Tell whether the first beam follows the last one, as when a scanner turns right round."""
+    """Tell whether the first of (N,) beams follows the last: the scanner turns right round."""
     if len(angles) < 3:
         return False
     return bool(_TURN - (angles[-1] - angles[0]) < 1.5 * np.median(np.diff(angles)))
@@ -132,7 +132,7 @@ def first_beams(ranges: np.ndarray, angles: np.ndarray, settings: Settings) -> n
 def breaks(
     points: np.ndarray, ranges: np.ndarray, angles: np.ndarray, settings: Settings
 ) -> np.ndarray:
-    """Return for each of the N - 1 neighbouring pairs whether there is a gap between them.
+    """Return (N - 1,): whether there is a gap between each two neighbours of (N, 2) points.
 
     The gap that is still allowed grows with the range: it is what a wall shows that the beam
     meets at the grazing angle (Borges and Aldon, Line Extraction in 2D Range Images for
@@ -147,7 +147,7 @@ def breaks(
 
 
 def is_wall(points: np.ndarray, line: Line, settings: Settings) -> bool:
-    """Tell whether ordered points with their fitted line are many, long and straight enough."""
+    """Tell whether (N, 2) ordered points with their line are many, long and straight enough."""
     start, end = positions_along(points[[0, -1]], line)
     distance = distances(points, line)
     quarter = len(points) // 4
@@ -166,7 +166,7 @@ def is_curved(
     middle: np.ndarray | float,
     settings: Settings,
 ) -> np.ndarray | bool:
-    """Tell whether N points along `length` metres bend too much for a wall.
+    """Tell whether N points along `length` metres bend too much for a wall: numbers, or (n,) each.
 
     `middle` is the mean distance of the middle half of the points from the line. With
     the outer half on the other side it is a quarter of an arc's height, length² / 8 radius.
@@ -180,12 +180,15 @@ def is_curved(
 def is_bend(
     alpha: np.ndarray | float, next_alpha: np.ndarray | float, settings: Settings
 ) -> np.ndarray | bool:
-    """Tell whether neighbouring lines meet at too small an angle for a corner of two walls."""
+    """Tell whether neighbouring lines meet at too small an angle for a corner of two walls.
+
+    Both angles are in radians, numbers or arrays (n,); the result is of that kind.
+    """
     turn = np.abs(np.remainder(next_alpha - alpha + math.pi / 2, math.pi) - math.pi / 2)
     return (turn > settings.straight_angle) & (turn < settings.corner_angle)
 
 
 def make_segment(points: np.ndarray, beams: np.ndarray, line: Line, settings: Settings) -> Segment:
-    """Return the segment of a line between the feet of its first and its last point."""
+    """Return the segment of a line between the feet of its first and last of (N, 2) points."""
     start, end = point_at(positions_along(points[[0, -1]], line), line)
     return Segment(line, start, end, line_covariance(points, settings.sigma), beams)

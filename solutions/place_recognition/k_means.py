@@ -29,14 +29,17 @@ def k_means(
 
 
 def nearest_centers(points: np.ndarray, centers: np.ndarray) -> np.ndarray:
-    """Return for each point the row of the nearest centre; see `words.assign_words`."""
+    """Return (N,) rows of the nearest of (K, d) centres for (N, d) points.
+
+    See `words.assign_words`.
+    """
     closeness = points @ centers.T
     closeness -= half_squares(centers)
     return closeness.argmax(axis=1)
 
 
 def half_squares(centers: np.ndarray) -> np.ndarray:
-    """Return |c|²/2 for centres along the last axis."""
+    """Return |c|²/2 of (..., K, d) centres: (..., K)."""
     return 0.5 * np.einsum("...d,...d->...", centers, centers)
 
 

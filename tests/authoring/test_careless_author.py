@@ -41,6 +41,12 @@ CARELESS: dict[str, tuple[str, str, str, str]] = {
         'knid = "order"',
         "line LINE: unknown field 'knid'; perhaps 'kind' is meant.",
     ),
+    "the name of a kind": (
+        QUESTIONS,
+        'kind = "order"',
+        'kind = "oder"',
+        "line LINE: kind 'oder' is not one of .*; perhaps 'order' is meant.",
+    ),
     "points of statements": (
         QUESTIONS,
         'title = "Water"',

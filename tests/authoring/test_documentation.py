@@ -15,9 +15,9 @@ import msgspec
 import pytest
 
 from autograder.course import Settings
-from autograder.kinds.answer import Alternative, Answer
-from autograder.kinds.question import PointedQuestion
-from autograder.kinds.registry import kind_named, kind_names
+from autograder.questions.answer import Alternative, Answer
+from autograder.questions.question import PointedQuestion
+from autograder.questions.registry import kind_named, kind_names
 
 ROOT = Path(__file__).parents[2]
 AUTHORING = (ROOT / "docs/authoring.md").read_text(encoding="utf-8")

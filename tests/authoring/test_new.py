@@ -17,7 +17,7 @@ from autograder.cli import main
 from autograder.cli.extras import missing_extra
 from autograder.course import load_course
 from autograder.errors import UsageError
-from autograder.kinds.registry import kind_names
+from autograder.questions.registry import kind_names
 
 ROOT = Path(__file__).parents[2]
 KALMAN = ROOT / "tests/courses/kalman"

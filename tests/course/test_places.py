@@ -11,7 +11,7 @@ from tiny_course import TinyCourse, make_tiny_course
 from autograder.cli import main
 from autograder.course.places import FILE, MOST, make_places, read_places
 from autograder.errors import CourseError, UsageError
-from autograder.kinds.variables import Variables
+from autograder.questions.variables import Variables
 
 CLASS = """Student,ID,SIS User ID,SIS Login ID,Section
 "Lovelace, Ada",101,s1,ada,A

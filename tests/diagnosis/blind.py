@@ -21,9 +21,9 @@ import numpy as np
 import sympy as sp
 
 from autograder.course import load_course
-from autograder.kinds.mark import Mark
-from autograder.kinds.registry import kind_of
 from autograder.marking.marker import Marker
+from autograder.questions.mark import Mark
+from autograder.questions.registry import kind_of
 from autograder.sandbox.inside.evaluate import evaluate
 
 ROOT = Path(__file__).parents[2]

@@ -3,7 +3,7 @@
 from types import SimpleNamespace
 
 from autograder.kinds.function.marking import fingerprint
-from autograder.kinds.mark import Mark
+from autograder.questions.mark import Mark
 from autograder.reports.nameless import nameless
 
 

@@ -12,9 +12,9 @@ from autograder.cli import main
 from autograder.course import Course, load_course
 from autograder.exchange.identity import FILE
 from autograder.gradebook.book import Gradebook
-from autograder.kinds.registry import kind_of
 from autograder.marking.draw import draw
 from autograder.marking.marker import OTHER_NUMBERS
+from autograder.questions.registry import kind_of
 
 ROOT = Path(__file__).parents[2]
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
+from typing import get_args
 
 import numpy as np
 import pytest
@@ -11,16 +12,20 @@ from tiny_course import make_tiny_course
 
 from autograder.cli import main
 from autograder.course import Course
+from autograder.course.places import FILE as FILE_OF_PLACES
+from autograder.course.places import make_places
 from autograder.exchange.identity import FILE
 from autograder.gradebook import Record
 from autograder.gradebook.book import Gradebook
 from autograder.grading.graded import Graded
-from autograder.intake.submissions import Submission
+from autograder.grading.submission import grade_contents
+from autograder.intake.submissions import Contents, Notebook, Submission
 from autograder.marking import Mark
 from autograder.marking.marker import Marker
 from autograder.reports.class_html import class_html
 from autograder.reports.statistics import MistakesMade
 from autograder.reports.variants import Difficulty, VariantSums
+from autograder.sandbox.launcher import Isolation, Sandbox
 
 QUESTION = """
 [story.market]
@@ -88,6 +93,36 @@ def test_what_a_notebook_computes_from_its_numbers_is_right_for_its_student(
         records = list(book.records())
     assert [record.graded.marks[0].status for record in records] == ["right"] * 4
     assert len({record.graded.marks[0].understood for record in records}) > 1
+
+
+@pytest.mark.parametrize("tier", get_args(Isolation))
+def test_a_notebook_finds_the_numbers_that_were_dealt(tmp_path: Path, tier: Isolation):
+    """Not those that a name alone decides: the process sees everybody's place, as students do."""
+    dealt = make_tiny_course(tmp_path / "course")
+    dealt.append("notebooks/questions/kitchen.toml", QUESTION)
+    dealt.append("solutions/answers/kitchen.toml", ANSWER)
+    setting = '[tool.autograder]\nvariants = "student"'
+    dealt.replace("pyproject.toml", "[tool.autograder]", setting)
+    by_name = dealt.load()
+    (dealt.root / FILE_OF_PLACES).write_text(
+        make_places({name: n for n, name in enumerate(NAMES)}).text()
+    )
+    course = dealt.load()
+    student = next(
+        name
+        for name in NAMES
+        if course.for_student(name).numbers("Q7") != by_name.for_student(name).numbers("Q7")
+    )
+    source = (
+        "from autograder import numbers\nboxes, eggs = numbers('market')\nbought = boxes * eggs"
+    )
+    contents = Contents(
+        {"kitchen": Notebook(cells=[source], receipts={})},
+        sidecars={FILE: {FILE: {"response": student}}},
+    )
+    with Sandbox(course, tier) as sandbox:
+        (mark,) = grade_contents(contents, Marker(course, 1), sandbox, ["Q7"])
+    assert mark.status == "right", mark
 
 
 def test_everybody_is_marked_by_their_own_numbers(market: Course, tmp_path: Path, capsys):

@@ -24,10 +24,10 @@ from typing import Any
 
 import numpy as np
 
-from autograder.kinds.answer import Alternative, Answer
-from autograder.kinds.code import CodeKind
-from autograder.kinds.question import PointedQuestion
-from autograder.kinds.mark import Mark, Part, status_for
+from autograder.questions.answer import Alternative, Answer
+from autograder.questions.code import CodeKind
+from autograder.questions.question import PointedQuestion
+from autograder.questions.mark import Mark, Part, status_for
 from msgspec import field
 
 

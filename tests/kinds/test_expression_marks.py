@@ -8,12 +8,12 @@ from typing import Any
 import numpy as np
 import pytest
 
-from autograder.kinds.drawn import NOTHING_AROUND, Around
 from autograder.kinds.expression.answer import ExpressionAlternative, ExpressionAnswer
 from autograder.kinds.expression.equal_values import TOLERANCE, nearly_equal, same_values
 from autograder.kinds.expression.marking import hidden_points, mark_expression, matches
 from autograder.kinds.expression.question import Expression
-from autograder.kinds.mark import Mark
+from autograder.questions.drawn import NOTHING_AROUND, Around
+from autograder.questions.mark import Mark
 
 QUESTION = Expression(
     id="Q9", chapter="c", title="t", prompt="p", points=4.0, hints=("h",), variable="x",

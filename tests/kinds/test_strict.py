@@ -8,8 +8,8 @@ import pytest
 
 from autograder.errors import CourseError
 from autograder.kinds.number.answer import NumberAnswer
-from autograder.kinds.strict import Place, read_table
-from autograder.kinds.toml_lines import line_of
+from autograder.questions.strict import Place, read_table
+from autograder.questions.toml_lines import line_of
 
 TEXT = '''# a key
 ["Q1"]

@@ -10,7 +10,7 @@ import pytest
 
 from autograder.kinds.expression.slopes import slopes
 from autograder.kinds.expression.wholes import terms, wholes
-from autograder.kinds.formula import evaluate_formula
+from autograder.questions.formula import evaluate_formula
 
 
 @pytest.mark.parametrize(

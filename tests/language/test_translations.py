@@ -16,11 +16,11 @@ from autograder import language
 from autograder.course import load_course
 from autograder.errors import CourseError
 from autograder.gradebook import Record
-from autograder.kinds.mark import not_attempted
-from autograder.kinds.status import Status
 from autograder.language import _, n_
 from autograder.language.catalog import as_mo, read_po
 from autograder.marking import Mark
+from autograder.questions.mark import not_attempted
+from autograder.questions.status import Status
 from autograder.reports.feedback_html import Feedback, feedback_html
 from autograder.reports.pictures import Pictures
 from autograder.student.views import MarkView, QuestionView
@@ -92,7 +92,7 @@ def test_no_translation_is_left_of_a_sentence_that_is_gone(path: Path):
 
 
 # Where a sentence may reach a student, and the modules there that speak to authors only.
-ROOMS = ("student", "kinds", "marking", "diagnosis", "grading/chapter.py",
+ROOMS = ("student", "questions", "kinds", "marking", "diagnosis", "grading/chapter.py",
          "grading/own_exceptions.py", "exchange/reasons.py", "gradebook/scheme.py",
          "sandbox/stopped.py", "reports/feedback_html.py", "course/predictions.py",
          "grading/whose_numbers.py", "intake/notebook_reader.py", "intake/archive.py",

@@ -10,10 +10,10 @@ from hypothesis import strategies as st
 from tiny_course import make_tiny_course
 
 from autograder.exchange import wire
-from autograder.kinds.drawn import Drawn
 from autograder.kinds.function.marking import Expected, mark_function
 from autograder.marking import STATUSES, Mark
 from autograder.marking.marker import Marker
+from autograder.questions.drawn import Drawn
 
 IDS = ["Q1.1", "Q1.2", "Q1.3", "Q1.4", "Q1.5"]
 

@@ -12,10 +12,10 @@ import pytest
 from tiny_course import TinyCourse
 
 from autograder.errors import UsageError
-from autograder.kinds.registry import kind_of
 from autograder.marking import marker as module
 from autograder.marking.draw import seed_of_set, set_of_variant
 from autograder.marking.marker import OTHER_NUMBERS, Marker
+from autograder.questions.registry import kind_of
 
 
 def given(value: Any) -> dict[str, Any]:

@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from autograder.kinds.drawn import Around
 from autograder.marking.neighbors import around
+from autograder.questions.drawn import Around
 
 
 def write_notebook(root: Path, name: str, *sources: str, kind: str = "code") -> None:

@@ -11,9 +11,9 @@ import pytest
 from autograder.errors import CourseError
 from autograder.kinds.expression.marking import hidden_points
 from autograder.kinds.expression.snapshot import take_snapshot
-from autograder.kinds.mark import Mark
-from autograder.kinds.pack import pack
 from autograder.marking.snapshots import SnapshotMarker, recorded
+from autograder.questions.mark import Mark
+from autograder.questions.pack import pack
 
 RECORDED = "Recorded. It will be marked after you hand in."
 

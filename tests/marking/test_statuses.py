@@ -1,7 +1,7 @@
 """One table says how each status of a mark looks, wherever it is shown."""
 
-from autograder.kinds.status import Status
 from autograder.marking import STATUSES
+from autograder.questions.status import Status
 from autograder.reports.terminal import legend
 
 

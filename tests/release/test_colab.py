@@ -67,7 +67,13 @@ def test_after_the_cell_a_running_kernel_has_the_bundle(bundle: Path, tmp_path: 
 @pytest.mark.long
 def test_the_cell_replaces_nothing_of_colab_s_kernel(tmp_path: Path):
     """With the versions that Colab brings, and pip as it is."""
-    theirs = {"ipython": "7.34.0", "ipykernel": "6.17.1", "numpy": "2.0.2"}
+    theirs = {
+        "ipykernel": "6.17.1",
+        "ipython": "7.34.0",
+        "ipywidgets": "7.7.1",
+        "numpy": "2.0.2",
+        "traitlets": "5.7.1",
+    }
     release(load_course(Path(__file__).parents[2]), tmp_path / "course")
     subprocess.run([sys.executable, "-m", "venv", str(tmp_path / "colab")], check=True)
     python = tmp_path / "colab/bin/python"

@@ -22,11 +22,11 @@ from autograder.course.loading import load_object
 from autograder.course.right_work import right_work_of
 from autograder.errors import CourseError, UsageError
 from autograder.kinds.expression.answer import ExpressionAnswer
-from autograder.kinds.formula import evaluate_formula
 from autograder.kinds.function.answer import FunctionAnswer
-from autograder.kinds.pack import pack, unpack
-from autograder.kinds.registry import kind_of
 from autograder.marking.snapshots import SnapshotMarker
+from autograder.questions.formula import evaluate_formula
+from autograder.questions.pack import pack, unpack
+from autograder.questions.registry import kind_of
 from autograder.release.bundle import release
 from autograder.release.leaks import leaks
 from autograder.sandbox.inside.evaluate import evaluate

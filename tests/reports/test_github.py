@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from autograder.cli import main
-from autograder.kinds.mark import Mark
+from autograder.questions.mark import Mark
 from autograder.reports import github
 from tests.classroom import hand_in, make_course
 

@@ -10,10 +10,10 @@ import pytest
 
 from autograder.cli import main
 from autograder.course import load_course
-from autograder.kinds.registry import kind_of
 from autograder.language import use
 from autograder.marking.draw import set_number
 from autograder.marking.marker import Marker
+from autograder.questions.registry import kind_of
 from tests.classroom import hand_in, make_course
 
 # What a function could do to say something about a hidden input, on every kind of input alike.

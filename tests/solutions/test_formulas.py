@@ -15,12 +15,12 @@ import sympy as sp
 
 from autograder.course import Course
 from autograder.exchange.messages import Message
-from autograder.kinds.answer import Answer
-from autograder.kinds.drawn import Drawn
 from autograder.kinds.function.marking import agrees
-from autograder.kinds.question import Question
-from autograder.kinds.registry import kind_of
 from autograder.marking.draw import draw
+from autograder.questions.answer import Answer
+from autograder.questions.drawn import Drawn
+from autograder.questions.question import Question
+from autograder.questions.registry import kind_of
 from autograder.sandbox.inside.evaluate import evaluate
 
 SEEDS = (11, 12, 13)

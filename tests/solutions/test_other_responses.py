@@ -16,8 +16,8 @@ from msgspec import structs
 from responses import CHANCE
 
 from autograder.kinds.function.marking import agrees
-from autograder.kinds.registry import kind_of
 from autograder.marking.draw import draw
+from autograder.questions.registry import kind_of
 from autograder.sandbox.inside.evaluate import evaluate
 from solutions.lines.line_fitting import Line, distances, fit_line
 from solutions.ransac.line import ransac_line

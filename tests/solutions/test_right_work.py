@@ -2,7 +2,7 @@
 seeds is part of the course's proof (`tests/test_the_course.py`)."""
 
 from autograder.course.right_work import right_work_of, unexpected_right_work
-from autograder.kinds.registry import kind_of
+from autograder.questions.registry import kind_of
 
 
 def test_every_function_has_four_variants_and_every_expression_six(real_course):

@@ -8,8 +8,8 @@ import pytest
 from given import what_a_chapter_gives
 
 from autograder.course import Course
-from autograder.kinds.registry import kind_of
 from autograder.marking.draw import draw
+from autograder.questions.registry import kind_of
 from autograder.release.take_snapshots import SEED
 from autograder.sandbox.inside.evaluate import evaluate
 

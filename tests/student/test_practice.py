@@ -12,8 +12,8 @@ from test_identity import KEY, STORY
 
 from autograder import check, practise
 from autograder.course import load_course
-from autograder.kinds.registry import kind_of
 from autograder.marking.marker import Marker
+from autograder.questions.registry import kind_of
 from autograder.student.desk import Desk
 from autograder.student.practice.boxes import BOXES, Card, draw, first_card
 from autograder.student.practice.desk import PracticeDesk

@@ -13,8 +13,8 @@ from autograder.kinds.expression.inside.typed import read_expression
 from autograder.kinds.expression.question import Expression
 from autograder.kinds.number.question import Number
 from autograder.kinds.number.typed import read_number
-from autograder.kinds.registry import kind_of
 from autograder.kinds.true_false.question import TrueFalse
+from autograder.questions.registry import kind_of
 
 COMMON = {"id": "Q1", "chapter": "c", "title": "t", "prompt": "p", "hints": ("h",)}
 WORTH = {**COMMON, "points": 1.0}

@@ -12,7 +12,7 @@ import sympy as sp
 
 from autograder import check, language
 from autograder.course import load_course
-from autograder.kinds.registry import kind_of
+from autograder.questions.registry import kind_of
 from autograder.student.desk import Desk
 from autograder.student.receipts import RECEIPT
 from autograder.student.responses import Responses

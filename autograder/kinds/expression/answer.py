@@ -6,9 +6,9 @@ from typing import Annotated
 
 from msgspec import Meta, field
 
-from autograder.kinds.answer import Answer, PublicAlternative
 from autograder.kinds.expression.question import Expression
-from autograder.kinds.written import Text
+from autograder.questions.answer import Answer, PublicAlternative
+from autograder.questions.written import Text
 
 
 class ExpressionAlternative(PublicAlternative, frozen=True, kw_only=True):

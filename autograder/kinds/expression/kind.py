@@ -10,9 +10,6 @@ import numpy as np
 
 from autograder.errors import UsageError
 from autograder.exchange.messages import Message, Value
-from autograder.kinds.answer import Alternative
-from autograder.kinds.code import CodeKind
-from autograder.kinds.drawn import Drawn
 from autograder.kinds.expression import snapshot as examples
 from autograder.kinds.expression.answer import (
     ExpressionAlternative,
@@ -22,11 +19,14 @@ from autograder.kinds.expression.answer import (
 from autograder.kinds.expression.marking import hidden_points, mark_expression
 from autograder.kinds.expression.question import Expression
 from autograder.kinds.expression.trial import ExpressionTrial
-from autograder.kinds.formula import evaluate_formula
-from autograder.kinds.mark import Mark
-from autograder.kinds.typed import assign_if_open
 from autograder.language import _
 from autograder.mutants.mutant import Trial
+from autograder.questions.answer import Alternative
+from autograder.questions.code import CodeKind
+from autograder.questions.drawn import Drawn
+from autograder.questions.formula import evaluate_formula
+from autograder.questions.mark import Mark
+from autograder.questions.typed import assign_if_open
 
 if TYPE_CHECKING:
     from autograder.kinds.expression.widget import ExpressionWidget

@@ -8,14 +8,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from autograder.exchange.messages import Message
-from autograder.kinds.drawn import NOTHING_AROUND, Around
 from autograder.kinds.expression.answer import ExpressionAlternative, ExpressionAnswer
 from autograder.kinds.expression.diagnosis import diagnose_expression
 from autograder.kinds.expression.equal_values import Points, nearly_equal, same_values
 from autograder.kinds.expression.question import Expression
-from autograder.kinds.formula import evaluate_formula
-from autograder.kinds.mark import Mark, status_for
 from autograder.language import _
+from autograder.questions.drawn import NOTHING_AROUND, Around
+from autograder.questions.formula import evaluate_formula
+from autograder.questions.mark import Mark, status_for
 
 POINT_COUNT = 24
 

@@ -13,10 +13,10 @@ from autograder.kinds.expression.answer import ExpressionAlternative, Expression
 from autograder.kinds.expression.equal_values import Points, nearly_equal, same_values
 from autograder.kinds.expression.marking import POINT_COUNT
 from autograder.kinds.expression.question import Expression
-from autograder.kinds.formula import evaluate_formula
-from autograder.kinds.mark import Mark
-from autograder.kinds.snapshot import LATER, wrong
 from autograder.language import _
+from autograder.questions.formula import evaluate_formula
+from autograder.questions.mark import Mark
+from autograder.questions.snapshot import LATER, wrong
 
 _POINTS = 12
 _TELLING = 4  # different values, for a relation to say anything

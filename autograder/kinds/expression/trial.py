@@ -11,9 +11,9 @@ from autograder.kinds.expression.answer import ExpressionAnswer
 from autograder.kinds.expression.equal_values import same_values
 from autograder.kinds.expression.marking import hidden_points, mark_expression
 from autograder.kinds.expression.question import Expression
-from autograder.kinds.formula import evaluate_formula
 from autograder.mutants.formula_edits import edited_formulas
 from autograder.mutants.mutant import Trial
+from autograder.questions.formula import evaluate_formula
 
 
 class ExpressionTrial(Trial):

@@ -6,7 +6,7 @@ from typing import Annotated
 
 from msgspec import Meta, field
 
-from autograder.kinds.answer import Answer, PublicAlternative
+from autograder.questions.answer import Answer, PublicAlternative
 
 Dotted = Annotated[
     str, Meta(pattern=r"\S", description="a function of the course, as package.module:function")

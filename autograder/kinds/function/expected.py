@@ -12,12 +12,12 @@ import numpy as np
 from autograder.course.loading import load_object
 from autograder.course.right_work import right_functions
 from autograder.errors import CourseError
-from autograder.kinds.drawn import Drawn
 from autograder.kinds.function.answer import FunctionAlternative, FunctionAnswer
 from autograder.kinds.function.hypotheses import Hypotheses
 from autograder.kinds.function.marking import Expected, Outcome, close
 from autograder.kinds.function.question import Function
-from autograder.kinds.strict import meant
+from autograder.questions.drawn import Drawn
+from autograder.questions.strict import meant
 from autograder.sandbox.inside.evaluate import evaluate
 
 _OF_A_CASE = ("name", "args", "kwargs", "public", "draws", "may_raise")

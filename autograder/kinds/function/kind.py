@@ -10,9 +10,6 @@ import numpy as np
 
 from autograder.course.loading import load_object
 from autograder.exchange.messages import Value
-from autograder.kinds.answer import Alternative
-from autograder.kinds.code import CodeKind
-from autograder.kinds.drawn import Drawn
 from autograder.kinds.function import snapshot as examples
 from autograder.kinds.function.answer import FunctionAnswer
 from autograder.kinds.function.expected import draw
@@ -24,10 +21,13 @@ from autograder.kinds.function.reference_failures import reference_failures
 from autograder.kinds.function.stub import function_stub, reference_source
 from autograder.kinds.function.take_snapshot import take_snapshot
 from autograder.kinds.function.trial import FunctionTrial
-from autograder.kinds.mark import Mark
-from autograder.kinds.reading import Reading
 from autograder.language import N_
 from autograder.mutants.mutant import Trial
+from autograder.questions.answer import Alternative
+from autograder.questions.code import CodeKind
+from autograder.questions.drawn import Drawn
+from autograder.questions.mark import Mark
+from autograder.questions.reading import Reading
 
 if TYPE_CHECKING:
     from autograder.kinds.function.widget import FunctionWidget

@@ -20,8 +20,8 @@ from autograder.kinds.function.diagnosis import diagnose_function
 from autograder.kinds.function.hints import hints
 from autograder.kinds.function.question import Function
 from autograder.kinds.function.shown import shown_outcome
-from autograder.kinds.mark import NO_VALUE, Mark, Part, status_for
 from autograder.language import _
+from autograder.questions.mark import NO_VALUE, Mark, Part, status_for
 
 Outcome = dict[str, object]
 Compare = Callable[[dict[str, object], object, object], bool]

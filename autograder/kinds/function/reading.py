@@ -13,11 +13,11 @@ import numpy as np
 
 from autograder.course.loading import load_object
 from autograder.exchange.messages import Value
-from autograder.kinds.drawn import Drawn
 from autograder.kinds.function.answer import FunctionAnswer
 from autograder.kinds.function.question import Function
 from autograder.kinds.function.shown import shown_value
-from autograder.kinds.reading import Reading
+from autograder.questions.drawn import Drawn
+from autograder.questions.reading import Reading
 
 MOST_LINES = 16
 MOST_IN_A_CALL = 100  # characters

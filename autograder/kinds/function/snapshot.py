@@ -13,9 +13,9 @@ from autograder.kinds.function.hints import hints
 from autograder.kinds.function.marking import agrees, close, nearly
 from autograder.kinds.function.question import Function
 from autograder.kinds.function.relaxed import is_far
-from autograder.kinds.mark import Mark, Part, stopped
-from autograder.kinds.snapshot import LATER
 from autograder.language import _, n_
+from autograder.questions.mark import Mark, Part, stopped
+from autograder.questions.snapshot import LATER
 
 
 def mark_snapshot(question: Function, snapshot: dict[str, Value], outcomes: list[Value]) -> Mark:

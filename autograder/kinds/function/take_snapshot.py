@@ -26,7 +26,7 @@ from autograder.exchange.messages import Value
 from autograder.kinds.function.answer import FunctionAnswer
 from autograder.kinds.function.marking import Expected, agrees, close
 from autograder.kinds.function.relaxed import changed_throughout, far_off
-from autograder.kinds.pack import pack
+from autograder.questions.pack import pack
 
 
 def take_snapshot(

@@ -6,7 +6,7 @@ from typing import Annotated
 
 from msgspec import Meta, field
 
-from autograder.kinds.answer import Alternative, Answer
+from autograder.questions.answer import Alternative, Answer
 
 
 class NumberAlternative(Alternative, frozen=True, kw_only=True):

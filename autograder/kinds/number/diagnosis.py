@@ -11,11 +11,11 @@ from functools import lru_cache
 import numpy as np
 
 from autograder.diagnosis.relations import RELATIONS, Diagnosis, another_answer, looks_as_if
-from autograder.kinds.drawn import NOTHING_AROUND, Around
 from autograder.kinds.number.answer import NumberAnswer
 from autograder.kinds.number.question import Number
 from autograder.kinds.number.variations import variations
 from autograder.language import N_, _, chosen
+from autograder.questions.drawn import NOTHING_AROUND, Around
 
 _ENOUGH = 1e-4  # of the size of a number: closer than chance brings one to another
 _FEW = 2e-3  # a value of so few digits is near many things, and only the plainest are tried

@@ -6,17 +6,17 @@ import math
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, TypeGuard
 
-from autograder.kinds.answer import Alternative
-from autograder.kinds.code import CodeKind
-from autograder.kinds.drawn import Drawn
-from autograder.kinds.mark import Mark
 from autograder.kinds.number.answer import NumberAlternative, NumberAnswer
 from autograder.kinds.number.marking import mark_number
 from autograder.kinds.number.question import Number
 from autograder.kinds.number.sensible import not_sensible
 from autograder.kinds.number.typed import read_number
-from autograder.kinds.typed import assign_if_open
 from autograder.language import _
+from autograder.questions.answer import Alternative
+from autograder.questions.code import CodeKind
+from autograder.questions.drawn import Drawn
+from autograder.questions.mark import Mark
+from autograder.questions.typed import assign_if_open
 
 if TYPE_CHECKING:
     from autograder.kinds.number.widget import NumberWidget

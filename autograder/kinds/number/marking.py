@@ -5,12 +5,12 @@ from __future__ import annotations
 from decimal import Decimal
 
 from autograder.exchange.messages import Message
-from autograder.kinds.drawn import NOTHING_AROUND, Around
-from autograder.kinds.mark import Mark, status_for
 from autograder.kinds.number.answer import NumberAlternative, NumberAnswer
 from autograder.kinds.number.diagnosis import diagnose_number
 from autograder.kinds.number.question import Number
 from autograder.language import _
+from autograder.questions.drawn import NOTHING_AROUND, Around
+from autograder.questions.mark import Mark, status_for
 
 _SINGLE_PRECISION = 1e-6  # relative, of a number that was computed with it
 

@@ -6,9 +6,9 @@ import math
 from collections.abc import Callable, Mapping
 
 from autograder.errors import UsageError
-from autograder.kinds.formula import Term
-from autograder.kinds.typed import parse, value_of
 from autograder.language import _
+from autograder.questions.formula import Term
+from autograder.questions.typed import parse, value_of
 
 MAX_COUNT = 100_000
 _OF_MATH = (

@@ -15,8 +15,8 @@ from collections.abc import Callable, Iterator, Mapping
 
 import numpy as np
 
-from autograder.kinds.formula import Term
 from autograder.language import N_, _
+from autograder.questions.formula import Term
 
 _MODULES = {"math": math, "np": np}
 _MOST_NODES = 60  # of a formula; a longer one is a program

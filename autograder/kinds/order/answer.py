@@ -6,9 +6,9 @@ from typing import Annotated
 
 from msgspec import Meta, field
 
-from autograder.kinds.answer import Alternative, Answer
 from autograder.kinds.order.question import Order
-from autograder.kinds.written import Credit, Text
+from autograder.questions.answer import Alternative, Answer
+from autograder.questions.written import Credit, Text
 
 
 class OrderAlternative(Alternative, frozen=True, kw_only=True):

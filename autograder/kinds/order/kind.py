@@ -6,13 +6,13 @@ import textwrap
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from autograder.kinds.choice import ChoiceKind
-from autograder.kinds.mark import Mark
 from autograder.kinds.order import response as given
 from autograder.kinds.order.answer import OrderAnswer, check_order
 from autograder.kinds.order.marking import is_right, mark_order, transitive_closure
 from autograder.kinds.order.question import Order
 from autograder.language import N_
+from autograder.questions.choice import ChoiceKind
+from autograder.questions.mark import Mark
 
 if TYPE_CHECKING:
     from autograder.kinds.order.widget import OrderWidget

@@ -9,12 +9,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import permutations, product
 
-from autograder.kinds.mark import Mark, Part, not_attempted, status_for, stopped
 from autograder.kinds.order.answer import OrderAnswer
 from autograder.kinds.order.diagnosis import diagnose_order
 from autograder.kinds.order.question import Order
 from autograder.kinds.order.response import chosen
 from autograder.language import _, n_
+from autograder.questions.mark import Mark, Part, not_attempted, status_for, stopped
 
 
 def is_right(order: Sequence[str], answer: OrderAnswer) -> bool:

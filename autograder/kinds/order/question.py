@@ -6,8 +6,8 @@ from typing import Annotated
 
 from msgspec import Meta
 
-from autograder.kinds.question import PointedQuestion
-from autograder.kinds.written import Text, Written
+from autograder.questions.question import PointedQuestion
+from autograder.questions.written import Text, Written
 
 
 class Card(Written, frozen=True):

@@ -20,10 +20,10 @@ from typing import Annotated
 
 from msgspec import Meta, field
 
-from autograder.kinds import written
-from autograder.kinds.answer import Answer
 from autograder.kinds.text.question import Text
-from autograder.kinds.written import Written
+from autograder.questions import written
+from autograder.questions.answer import Answer
+from autograder.questions.written import Written
 
 
 class Level(Written, frozen=True, kw_only=True):

@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING
 
 from autograder.errors import UsageError
 from autograder.exchange.printable import printable
-from autograder.kinds.choice import ChoiceKind
-from autograder.kinds.mark import Mark, not_attempted
 from autograder.kinds.text import question as asked
 from autograder.kinds.text.answer import TextAnswer, check_text
 from autograder.kinds.text.question import Text
 from autograder.language import _
+from autograder.questions.choice import ChoiceKind
+from autograder.questions.mark import Mark, not_attempted
 
 if TYPE_CHECKING:
     from autograder.kinds.text.widget import TextWidget

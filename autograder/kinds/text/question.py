@@ -6,7 +6,7 @@ from typing import Annotated
 
 from msgspec import Meta
 
-from autograder.kinds.question import PointedQuestion
+from autograder.questions.question import PointedQuestion
 
 LONGEST = 4000  # characters, unless the question says otherwise
 MOST = 9_000  # each may become two in a file, and what is read of a response is bounded

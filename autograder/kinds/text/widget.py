@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from autograder.kinds.registry import kind_of
 from autograder.kinds.text.question import Text
+from autograder.questions.registry import kind_of
 from autograder.reports.markdown import markdown
 from autograder.student.widgets.base import source
 from autograder.student.widgets.choice import ChoiceWidget

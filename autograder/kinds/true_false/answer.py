@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from msgspec import field
 
-from autograder.kinds.answer import Answer
-from autograder.kinds.written import Text, Written
+from autograder.questions.answer import Answer
+from autograder.questions.written import Text, Written
 
 
 class Statement(Written, frozen=True, kw_only=True):

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from autograder.kinds.choice import ChoiceKind
-from autograder.kinds.mark import Mark
 from autograder.kinds.true_false import response as given
 from autograder.kinds.true_false.answer import TrueFalseAnswer
 from autograder.kinds.true_false.marking import mark_true_false
 from autograder.kinds.true_false.question import TrueFalse
 from autograder.language import _
+from autograder.questions.choice import ChoiceKind
+from autograder.questions.mark import Mark
 
 if TYPE_CHECKING:
     from autograder.kinds.true_false.widget import TrueFalseWidget

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from autograder.kinds.mark import Mark, Part, not_attempted, status_for, stopped
 from autograder.kinds.true_false.answer import TrueFalseAnswer
 from autograder.kinds.true_false.question import TrueFalse
 from autograder.kinds.true_false.response import chosen
 from autograder.language import N_, _, n_
+from autograder.questions.mark import Mark, Part, not_attempted, status_for, stopped
 
 
 def mark_true_false(question: TrueFalse, answer: TrueFalseAnswer, response: object) -> Mark:

@@ -6,8 +6,8 @@ from typing import Annotated, ClassVar
 
 from msgspec import Meta
 
-from autograder.kinds.question import Question
-from autograder.kinds.written import Text
+from autograder.questions.question import Question
+from autograder.questions.written import Text
 
 
 class TrueFalse(Question, frozen=True, kw_only=True, tag="true_false"):

@@ -8,8 +8,8 @@ from __future__ import annotations
 from autograder.course import Course
 from autograder.course.questions import Question
 from autograder.gradebook.record import Record
-from autograder.kinds.status import Status
 from autograder.marking import Mark
+from autograder.questions.status import Status
 from autograder.reports.machine import most_points
 from autograder.reports.terminal import printable
 

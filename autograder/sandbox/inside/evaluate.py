@@ -20,10 +20,11 @@ import importlib
 import pkgutil
 from contextlib import suppress
 
-import autograder.kinds
 from autograder.exchange.messages import Message
 from autograder.sandbox.inside.exceptions import tell
 from autograder.sandbox.inside.plain_data import Unusable, describe, public_name
+
+_KINDS = "autograder.kinds"  # a folder for each kind of question
 
 __all__ = ["describe", "evaluate", "load_kinds"]
 
@@ -47,11 +48,11 @@ def evaluate(response: object, probe: Message) -> Message:
 
 def load_kinds() -> None:
     """Import what the kinds bring along, so that no fork has to."""
-    for entry in pkgutil.iter_modules(autograder.kinds.__path__):
+    for entry in pkgutil.iter_modules(importlib.import_module(_KINDS).__path__):
         if entry.ispkg:
             with suppress(ModuleNotFoundError):  # a kind whose responses are data has nothing here
                 importlib.import_module(_inside(entry.name))
 
 
 def _inside(kind: str) -> str:
-    return f"{autograder.kinds.__name__}.{kind}.inside.evaluate"
+    return f"{_KINDS}.{kind}.inside.evaluate"

@@ -7,8 +7,8 @@ from collections.abc import Callable
 
 from autograder.course.questions import Question
 from autograder.errors import UsageError
-from autograder.kinds.registry import kind_of
 from autograder.language import _
+from autograder.questions.registry import kind_of
 from autograder.student.desk import Desk
 from autograder.student.marker_client import key_marker
 from autograder.student.practice.desk import MOST_TRIED, PracticeDesk, can_be_read, has_variants

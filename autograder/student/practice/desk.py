@@ -10,9 +10,9 @@ from typing import Any
 from autograder.course import Course
 from autograder.course.questions import Question
 from autograder.exchange.responses import Entry
-from autograder.kinds.mark import Mark
-from autograder.kinds.registry import kind_of
 from autograder.language import N_, _
+from autograder.questions.mark import Mark
+from autograder.questions.registry import kind_of
 from autograder.student.desk import Desk
 from autograder.student.marker_client import MarkerClient, VariantMarker, key_marker
 from autograder.student.responses import Responses

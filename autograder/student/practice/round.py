@@ -11,8 +11,8 @@ import numpy as np
 from autograder.course.questions import Question
 from autograder.errors import UsageError
 from autograder.exchange.responses import Entry
-from autograder.kinds.registry import kind_of
 from autograder.language import _, n_
+from autograder.questions.registry import kind_of
 from autograder.student.desk import Desk
 from autograder.student.marker_client import key_marker
 from autograder.student.practice.another import another_one

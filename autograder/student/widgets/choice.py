@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from autograder.kinds.question import Question
-from autograder.kinds.registry import kind_of
+from autograder.questions.question import Question
+from autograder.questions.registry import kind_of
 from autograder.student.desk import Desk
 from autograder.student.widgets.question import QuestionWidget
 

@@ -7,10 +7,10 @@ from collections.abc import Callable
 from autograder.course.questions import Question
 from autograder.errors import AutograderError
 from autograder.exchange.responses import Entry
-from autograder.kinds.mark import Mark
-from autograder.kinds.registry import kind_of
-from autograder.kinds.status import Status
 from autograder.language import _, n_
+from autograder.questions.mark import Mark
+from autograder.questions.registry import kind_of
+from autograder.questions.status import Status
 from autograder.reports.markdown import inline, markdown
 from autograder.student.desk import Desk, hints_open
 from autograder.student.frontend import in_vscode

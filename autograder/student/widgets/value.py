@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from autograder.course.questions import Question
 from autograder.exchange.responses import Entry
-from autograder.kinds.mark import Mark
-from autograder.kinds.registry import kind_of
+from autograder.questions.mark import Mark
+from autograder.questions.registry import kind_of
 from autograder.reports.markdown import formula, inline
 from autograder.sandbox.inside.evaluate import describe
 from autograder.student.desk import Desk

@@ -22,14 +22,14 @@ class RunSums:
         self._position = scan * (B + 1) + beam
 
     def moments(self, first: np.ndarray, last: np.ndarray) -> tuple[np.ndarray, ...]:
-        """Return N, x_c, y_c and the centred sums S_xx, S_xy, S_yy of each run."""
+        """Return N, x_c, y_c and the centred sums S_xx, S_xy, S_yy: six arrays (R,) for R runs."""
         before, after = self._position[first], self._position[last] + 1
         x, y, xx, xy, yy = self._prefix[:, after] - self._prefix[:, before]
         N = last - first + 1
         return N, x / N, y / N, xx - x * x / N, xy - x * y / N, yy - y * y / N
 
     def roughness(self, first: np.ndarray, last: np.ndarray) -> np.ndarray:
-        """Return the root mean square distance of each run from its own best line."""
+        """Return (R,) root mean square distances of the runs from their best lines, in metres."""
         N, _, _, S_xx, S_xy, S_yy = self.moments(first, last)
         least = (S_xx + S_yy - np.hypot(S_yy - S_xx, 2 * S_xy)) / 2
         return np.sqrt(np.maximum(least, 0.0) / N)
@@ -38,7 +38,11 @@ class RunSums:
 def split_runs(
     points: np.ndarray, first: np.ndarray, last: np.ndarray, distance: float
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return the pieces of the runs, in order: first and last point, and the run's number."""
+    """Return the pieces of the runs, in order: first and last point, and the run's number.
+
+    `points` is (N, 2) in metres; `first` and `last` hold the indices of R runs. What is returned
+    has one entry for each piece.
+    """
     run = np.arange(len(first))
     x, y = np.ascontiguousarray(points.T)
     straight = [(first[:0], last[:0], run[:0])]
@@ -77,7 +81,11 @@ def split_runs(
 def merge_runs(
     sums: RunSums, first: np.ndarray, last: np.ndarray, run: np.ndarray, roughness: float
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Join the straightest two neighbours of every run at once, as long as they are straight."""
+    """Join the straightest two neighbours of every run at once, as long as they are straight.
+
+    `first`, `last` and `run`, each (P,), hold the indices and the run of P pieces; what is
+    returned holds those of the pieces that are left. `roughness` is in metres.
+    """
     settled = [(first[:0], last[:0], run[:0])]
     while len(first):
         cost = np.full(len(first), np.inf)  # of joining a piece with the next one

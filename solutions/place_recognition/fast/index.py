@@ -85,7 +85,7 @@ class InvertedIndex:
         return np.log(max(self.image_count, 1) / np.maximum(self._images_with_word, 1))
 
     def arrays(self) -> dict[str, np.ndarray]:
-        """Return all there is to store."""
+        """Return all there is to store, by name: numbers, and arrays (n,) of one dimension."""
         stored = {"word_count": np.array(self.word_count)}
         for i, part in enumerate(self._parts):
             stored |= {f"{name}_{i}": np.asarray(value) for name, value in part._asdict().items()}
@@ -93,7 +93,7 @@ class InvertedIndex:
 
     @classmethod
     def from_arrays(cls, stored: dict[str, np.ndarray]) -> Self:
-        """Return the index whose `arrays` these are."""
+        """Return the index whose `arrays` these are, in names and shapes."""
         index = cls(int(stored["word_count"]))
         parts = sum(name.startswith("image_count_") for name in stored)
         for i in range(parts):

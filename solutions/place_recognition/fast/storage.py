@@ -7,13 +7,15 @@ import numpy as np
 
 
 def write_arrays(path: str | Path, **arrays: np.ndarray) -> None:
-    """Write arrays to an npz file under exactly this path."""
+    """Write arrays of any shape to an npz file under exactly this path."""
     with open(path, "wb") as file:
         np.savez(file, allow_pickle=False, **arrays)
 
 
 def read_arrays(path: str | Path, what: str, *needed: str) -> dict[str, np.ndarray]:
     """Return the arrays of an npz file that has to hold `what`, with the `needed` among them.
+
+    They are of any shape; whoever needs them looks at it.
 
     Raises FileNotFoundError, or ValueError with the file's name if it cannot be that.
     """

@@ -48,7 +48,10 @@ class VocabularyTree:
 
     @property
     def levels(self) -> list[np.ndarray]:
-        """The centres as `words.descend_tree` takes them; children that do not exist are inf."""
+        """The centres as `words.descend_tree` takes them: (nodes, d) on each level.
+
+        Children that do not exist are inf.
+        """
         return [
             np.where(np.isinf(offsets)[..., None], np.inf, centers).reshape(-1, centers.shape[-1])
             for centers, offsets in zip(self._centers, self._offsets, strict=True)

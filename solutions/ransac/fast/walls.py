@@ -15,7 +15,7 @@ def sequential_ransac(
     iterations: int = 200,
     max_gap: float = 1.0,
 ) -> list[Segment]:
-    """Return the walls in one scan, those with most points first.
+    """Return the walls in one scan of (N,) ranges in metres and angles in radians, largest first.
 
     Find the line that most points agree with, cut its inliers where neighbours along the line
     are more than `max_gap` metres apart, keep the longest part as a segment, take its points

@@ -7,8 +7,8 @@ import builtins
 from autograder.errors import UsageError
 from autograder.exchange.messages import Value
 from autograder.kinds.expression.question import Expression
-from autograder.kinds.typed import parse, value_of
 from autograder.language import _
+from autograder.questions.typed import parse, value_of
 
 _OF_SYMPY = (
     *("acos", "asin", "atan", "atan2", "cos", "cot", "sin", "tan"),

@@ -10,9 +10,9 @@ import ast
 from collections.abc import Callable, Collection, Mapping
 
 from autograder.errors import UsageError
-from autograder.kinds.formula import Term
-from autograder.kinds.spelling import is_code, spelt
 from autograder.language import _
+from autograder.questions.formula import Term
+from autograder.questions.spelling import is_code, spelt
 
 MAX_LENGTH = 500
 MAX_BITS = 10_000

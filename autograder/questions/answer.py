@@ -6,7 +6,7 @@ from typing import Annotated
 
 from msgspec import Meta, field
 
-from autograder.kinds.written import Credit, Text, Written
+from autograder.questions.written import Credit, Text, Written
 
 
 class Alternative(Written, frozen=True, kw_only=True):

@@ -9,11 +9,11 @@ from pathlib import Path
 
 from autograder.errors import CourseError
 from autograder.exchange.reasons import REASONS, UNREAD
-from autograder.kinds.drawn import Drawn
-from autograder.kinds.exercise import Exercise, heading
-from autograder.kinds.kind import A, Kind, Q
-from autograder.kinds.mark import Mark, not_attempted
 from autograder.language import _
+from autograder.questions.drawn import Drawn
+from autograder.questions.exercise import Exercise, heading
+from autograder.questions.kind import A, Kind, Q
+from autograder.questions.mark import Mark, not_attempted
 
 FEWEST_MISTAKES = 2
 

@@ -1,9 +1,9 @@
 """What an author writes: the base of every table, and the types of its fields.
 
 A table is a `msgspec.Struct`. Its fields say what may stand in the file, and both the strict reader
-(`autograder.kinds.strict`) and the schema for editors (`autograder.kinds.schema`) follow from them.
-What no type can say is checked in ``__post_init__``, which raises a `ValueError` whose text is the
-problem alone; the reader adds where it is.
+(`autograder.questions.strict`) and the schema for editors (`autograder.authoring.schema`) follow
+from them. What no type can say is checked in ``__post_init__``, which raises a `ValueError` whose
+text is the problem alone; the reader adds where it is.
 """
 
 from __future__ import annotations

@@ -15,8 +15,8 @@ from typing import Any, TypeVar
 import msgspec
 
 from autograder.errors import CourseError
-from autograder.kinds import toml_lines
-from autograder.kinds.written import BLANK, ID, NAME, Written, check_python_name
+from autograder.questions import toml_lines
+from autograder.questions.written import BLANK, ID, NAME, Written, check_python_name
 
 Table = dict[str, Any]  # of TOML, before this reader has seen it
 

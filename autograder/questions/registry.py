@@ -1,4 +1,4 @@
-"""Finds the kinds of question: the folders beside this file, installed ones, and registered ones.
+"""Finds the kinds of question: the folders of `autograder.kinds`, installed and registered ones.
 
 A distribution adds a kind by an entry point of the group ``autograder.kinds``, whose name is the
 kind's and whose value the package: ``matching = "my_package.matching"``. A course adds one by the
@@ -16,12 +16,11 @@ from importlib.metadata import entry_points
 from pathlib import Path
 from typing import Any
 
-import autograder.kinds
 from autograder.errors import CourseError
-from autograder.kinds.kind import Kind
-from autograder.kinds.question import Question
+from autograder.questions.kind import Kind
+from autograder.questions.question import Question
 
-GROUP = "autograder.kinds"
+GROUP = FOLDERS = "autograder.kinds"  # of entry points, and the package of those found here
 AnyKind = Kind[Any, Any]  # of a question and an answer of its own
 
 _registered: dict[str, AnyKind] = {}
@@ -77,10 +76,11 @@ def load_kind(package: str, root: Path | None = None) -> None:
 
 @lru_cache(maxsize=1)
 def _folders() -> dict[str, str]:
-    """The packages beside this file, by the kinds' names."""
+    """The packages that come with the engine, by the kinds' names."""
+    folder = importlib.import_module(FOLDERS).__path__
     return {
-        entry.name: f"{autograder.kinds.__name__}.{entry.name}"
-        for entry in pkgutil.iter_modules(autograder.kinds.__path__)
+        entry.name: f"{FOLDERS}.{entry.name}"
+        for entry in pkgutil.iter_modules(folder)
         if entry.ispkg
     }
 

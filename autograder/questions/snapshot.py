@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from autograder.kinds.mark import Mark
-from autograder.kinds.question import Question
 from autograder.language import N_
+from autograder.questions.mark import Mark
+from autograder.questions.question import Question
 
 LATER = N_("The marks that count are given after you hand in, on other inputs.")
 

@@ -6,8 +6,8 @@ from typing import Annotated, ClassVar
 
 from msgspec import Meta, field
 
-from autograder.kinds.variables import Number, Steps
-from autograder.kinds.written import ID, Points, Text, Written
+from autograder.questions.variables import Number, Steps
+from autograder.questions.written import ID, Points, Text, Written
 
 
 class Question(Written, frozen=True, kw_only=True, tag_field="kind"):

@@ -7,9 +7,9 @@ from dataclasses import asdict, dataclass
 import msgspec
 
 from autograder.exchange.messages import Value
-from autograder.kinds.question import Question
-from autograder.kinds.status import Status
 from autograder.language import N_, _
+from autograder.questions.question import Question
+from autograder.questions.status import Status
 
 STATUSES = tuple(str(status) for status in Status)
 

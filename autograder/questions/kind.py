@@ -1,7 +1,7 @@
 """The protocol: all that the engine asks of a kind of question.
 
-Most kinds are either a `autograder.kinds.choice.ChoiceKind`, whose responses are data that a
-student clicks, or a `autograder.kinds.code.CodeKind`, whose responses a notebook's variable or
+Most kinds are either a `autograder.questions.choice.ChoiceKind`, whose responses are data that a
+student clicks, or a `autograder.questions.code.CodeKind`, whose responses a notebook's variable or
 function holds; these two say what such kinds have in common.
 """
 
@@ -15,14 +15,14 @@ from typing import Any, ClassVar, Generic, TypeVar
 import numpy as np
 
 from autograder.exchange.messages import Message, Value
-from autograder.kinds.answer import Alternative, Answer
-from autograder.kinds.drawn import Drawn
-from autograder.kinds.exercise import Exercise
-from autograder.kinds.mark import Mark
-from autograder.kinds.question import Question
-from autograder.kinds.reading import Reading
 from autograder.language import N_
 from autograder.mutants.mutant import Trial
+from autograder.questions.answer import Alternative, Answer
+from autograder.questions.drawn import Drawn
+from autograder.questions.exercise import Exercise
+from autograder.questions.mark import Mark
+from autograder.questions.question import Question
+from autograder.questions.reading import Reading
 
 Q = TypeVar("Q", bound=Question)
 A = TypeVar("A", bound=Answer)

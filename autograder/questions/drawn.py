@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from autograder.exchange.messages import Message, Value
-from autograder.kinds.answer import Answer
-from autograder.kinds.question import Question
+from autograder.questions.answer import Answer
+from autograder.questions.question import Question
 
 
 @dataclass(frozen=True)

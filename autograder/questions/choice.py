@@ -5,10 +5,10 @@ from __future__ import annotations
 from abc import abstractmethod
 from pathlib import Path
 
-from autograder.kinds.drawn import Drawn
-from autograder.kinds.exercise import Exercise, heading
-from autograder.kinds.kind import A, Kind, Q
-from autograder.kinds.mark import Mark, not_attempted
+from autograder.questions.drawn import Drawn
+from autograder.questions.exercise import Exercise, heading
+from autograder.questions.kind import A, Kind, Q
+from autograder.questions.mark import Mark, not_attempted
 
 
 class ChoiceKind(Kind[Q, A]):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from autograder.kinds.question import Question
+from autograder.questions.question import Question
 
 
 @dataclass(frozen=True)
