@@ -86,3 +86,25 @@ def test_the_derived_formulas_fit_line_and_svd_agree(points):
     normal = np.linalg.svd(points - center)[2][1]
     assert line.r == pytest.approx(abs(normal @ center))
     assert abs(normal @ [np.cos(line.alpha), np.sin(line.alpha)]) == pytest.approx(1.0)
+
+
+def test_sums_over_the_points_are_linear_and_centred_coordinates_add_up_to_nothing():
+    x, y, dx, dy = derivation.x, derivation.y, derivation.dx, derivation.dy
+    a, N = derivation.alpha, derivation.N
+    for term, total in (
+        (sp.Integer(3), 3 * N),
+        (a * x, a * N * derivation.x_c),
+        (y - x, N * (derivation.y_c - derivation.x_c)),
+        (5 * dx + 2 * dy, sp.Integer(0)),
+        ((dx + a * dy) ** 2, derivation.S_xx + 2 * a * derivation.S_xy + a**2 * derivation.S_yy),
+        (7 + dx + dy**2, 7 * N + derivation.S_yy),
+    ):
+        assert sp.expand(derivation.sum_over_points(term) - total) == 0
+    for beyond in (x**2, x * dx, y * dy, dx**3):
+        with pytest.raises(KeyError):
+            derivation.sum_over_points(beyond)
+
+
+def test_each_step_is_derived_once():
+    reasons = [step.reason for step in derivation.derive()]
+    assert len(reasons) == len(set(reasons)) == 12

@@ -159,5 +159,7 @@ def test_nodes_are_grouped_also_where_there_are_more_than_16_bits_of_them():
     found = {parent: members.tolist() for parent, members in _groups(node)}
     assert found == {0: [1, 6], 32768: [5], 65535: [3], 65536: [0, 4], 70000: [2]}
     assert list(found) == sorted(found)
+    edge = {parent: members.tolist() for parent, members in _groups(np.array([65536, 0, 65536]))}
+    assert edge == {0: [1], 65536: [0, 2]}
     few = {parent: members.tolist() for parent, members in _groups(np.array([3, 1, 3]))}
     assert few == {1: [1], 3: [0, 2]}
