@@ -39,7 +39,7 @@ html_math_renderer = "mathml"  # what browsers show themselves; MathJax would be
 def _formula(translator: HTML5Translator, node: Element) -> None:
     """Write a formula as MathML, in the spelling of TeX that docutils reads."""
     block = isinstance(node, math_block)
-    tex = node.astext().strip().replace("\\dots", "\\ldots")
+    tex = node.astext().strip().replace("\\dots", "\\ldots").replace("°", r"^\circ")
     # docutils would put the index of x̃_i below the x.
     tex = re.sub(r"(\\(?:tilde|bar|hat)\s*(?:\w|\{\w+\}))(?=[_^])", r"{{\1}{}}", tex)
     if block and "\\\\" in tex and "\\begin" not in tex:

@@ -99,3 +99,15 @@ def test_no_number_of_the_key_stands_on_a_page():
     assert {
         number for number in right if re.search(rf"(?<![\d.]){re.escape(number)}(?!\d)", text)
     } == set()
+
+
+@pytest.mark.long
+def test_the_site_is_built_without_a_warning(tmp_path: Path):
+    """Among others, each formula of the course is one that the site can set."""
+    command = "uv run --isolated --group docs sphinx-build -q -W docs"
+    done = subprocess.run(
+        [*command.split(), str(tmp_path)], cwd=ROOT, capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 0, done.stderr
+    page = (tmp_path / "chapters/2_line_fitting.html").read_text(encoding="utf-8")
+    assert re.search(r"<mn>44</mn>\s*<mo>∘</mo>", page)

@@ -13,7 +13,7 @@ from autograder.diagnosis.relations import RELATIONS, looks_as_if
 from autograder.kinds.expression.diagnosis import _of_one_place
 from autograder.kinds.expression.slopes import slopes
 from autograder.kinds.expression.wholes import wholes
-from autograder.kinds.function.diagnosis import _changes
+from autograder.kinds.function.changes import changes
 from autograder.kinds.function.repairs import repairs
 from autograder.kinds.function.slips import _WORDS, in_words
 from autograder.kinds.number.variations import variations
@@ -57,8 +57,8 @@ def test_relations_alone_and_two_together():
 def test_changes_and_repairs_of_what_a_function_returns():
     value = [np.arange(3.0), np.arange(3.0)]
     cases = [{"name": "some", "args": [np.arange(3.0), 1.0]}]
-    changes = _changes(cases, [{"value": value}], [0])
-    assert english(diagnosis.sentence for diagnosis, _ in changes) == []
+    made = changes(cases, [{"value": value}], [0])
+    assert english(diagnosis.sentence for diagnosis, _ in made) == []
     assert english(words for _, words, _ in repairs()) == []
 
 
