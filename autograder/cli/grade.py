@@ -43,6 +43,7 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
     """Grade what is at the paths; what was graded before with the same key is not run again."""
     from autograder.cli.grading_run import grade_and_report
     from autograder.cli.shared_intake import take_in_paths
+    from autograder.cli.wanted import grading_wanted, intake_wanted
     from autograder.gradebook import Gradebook
 
     course = load(parsed)
@@ -51,5 +52,7 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
         if not path.exists():
             raise UsageError(f"There is nothing at {path}; name a file or folder that exists.")
     with Gradebook(gradebook_path(parsed), create=not parsed.dry_run) as book:
-        summary = take_in_paths(parsed, course, use_class_list(parsed, book), book)
-        return grade_and_report(parsed, console, course, book, summary, parsed.regrade)
+        class_list = use_class_list(parsed, book)
+        summary = take_in_paths(intake_wanted(parsed), course, class_list, book)
+        wanted = grading_wanted(parsed, parsed.regrade)
+        return grade_and_report(wanted, console, course, book, summary)

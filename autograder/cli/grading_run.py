@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import argparse
 import os
 import secrets
 import signal
@@ -19,6 +18,7 @@ from rich.console import Console
 from autograder.cli.common import print_json
 from autograder.cli.status import BROKEN, DONE, INTERRUPTED
 from autograder.cli.tally import Tally
+from autograder.cli.wanted import GradingWanted
 from autograder.course import Course
 from autograder.errors import CourseError
 from autograder.gradebook import ClassView, Gradebook, Record, Run, view_class
@@ -38,19 +38,18 @@ from autograder.reports.machine import change_fields, record_fields
 from autograder.reports.pictures import Pictures
 from autograder.reports.terminal import print_changes, print_table, progress_bar, warn
 from autograder.reports.write import Options, write_reports
-from autograder.sandbox.launcher import NO_SANDBOX, Isolation, isolation_text
+from autograder.sandbox.launcher import NO_SANDBOX, isolation_text
 
 MOST_IN_A_TABLE = 500  # students
 ON_A_CLUSTER = "unknown, on a cluster that has not answered yet"
 
 
 def grade_and_report(
-    parsed: argparse.Namespace,
+    wanted: GradingWanted,
     console: Console,
     course: Course,
     book: Gradebook,
     summary: Summary,
-    regrade: bool,
 ) -> int:
     """Grade, show what changed, and (unless it is a dry run) keep it and write the reports."""
     # What is broken is said before anything runs.
@@ -58,15 +57,14 @@ def grade_and_report(
     submissions = LongList(Submission, (row.submission for row in summary.rows))
     Pictures(course)
     _require_packages(course)
-    questions = frozenset(course.question(id).id for id in parsed.question or ()) or None
-    isolation: Isolation = "none" if parsed.no_sandbox else "auto"
-    run = _choose_run(parsed, course, book, regrade, isolation)
+    questions = frozenset(course.question(id).id for id in wanted.questions) or None
+    run = _choose_run(wanted, course, book)
     marker = Marker(course, run.seed, tells=False)
     known = None
-    if questions is None and not parsed.dry_run:
+    if questions is None and not wanted.trial:
         known = _known(book, run, course)
     tally = Tally(book)
-    if parsed.no_sandbox:
+    if wanted.isolation == "none":
         warn(
             _(
                 "--no-sandbox: nothing holds student code back. It can read and change your files, "
@@ -74,7 +72,7 @@ def grade_and_report(
             )
         )
     people = {row.submission.student: row.match.people for row in summary.rows if row.match.people}
-    if not parsed.dry_run:
+    if not wanted.trial:
         book.note_works()
     # As it was before any student code ran; so are the times in the summary.
     handed_in = snapshot_class(piece.path for entry in submissions for piece in entry.pieces)
@@ -86,50 +84,50 @@ def grade_and_report(
         def done(entry: Graded) -> None:
             entry = compare_numbers(entry, course, people.get(entry.submission.student, ()))
             tally.add(entry)
-            if not parsed.dry_run:
+            if not wanted.trial:
                 book.store(entry, run, whole=questions is None)
             rate = tally.count / (time.monotonic() - began)
             said = ", ".join(filter(None, [spread.describe(), f"{rate:.1f} a second"]))
             progress.update(task, advance=1, description=said)
 
         spread: Spread
-        if parsed.cluster is None:
-            jobs = min(parsed.jobs, len(submissions))
-            spread = Threads(marker, jobs, questions, isolation)
+        if wanted.cluster is None:
+            jobs = min(wanted.jobs, len(submissions))
+            spread = Threads(marker, jobs, questions, wanted.isolation)
         else:
             from autograder.grading.dask_cluster import DaskCluster
 
-            spread = DaskCluster(marker, parsed.cluster, questions, isolation, warn)
+            spread = DaskCluster(marker, wanted.cluster, questions, wanted.isolation, warn)
         progress.update(task, description=spread.describe())
         with spread:
             try:
-                with _journal(parsed, book, regrade) as journal, _ended_orderly():
+                with _journal(wanted, book) as journal, _ended_orderly():
                     grade_class(
                         submissions, course, spread, done, questions, known, journal, book.works
                     )
             except KeyboardInterrupt:
                 interrupted = True
             finally:
-                if spread.isolation and not parsed.dry_run:
+                if spread.isolation and not wanted.trial:
                     run = book.note_isolation(run, spread.isolation)
     if interrupted:
-        return _after_interruption(parsed, console, course, book, summary, tally)
+        return _after_interruption(wanted, console, course, book, summary, tally)
     _look_again(summary, tally, handed_in)
-    if parsed.dry_run:
-        _tell_dry_run(parsed, console, tally)
+    if wanted.trial:
+        _tell_trial(wanted, console, tally)
         return DONE
     book.finish_run(run, time.monotonic() - began)
-    if parsed.explanations is not None:
-        book.set("explanations", "yes" if parsed.explanations else "no")
+    if wanted.explanations is not None:
+        book.set("explanations", "yes" if wanted.explanations else "no")
     book.set_lateness((row.submission.student, row.lateness()) for row in summary.rows)
     view = view_class(course, book, class_list, streamed=True)
     summary.missing = tuple(view.missing)
     book.set("intake", summary.sentence())
-    written = write_reports(course, book, Options(parsed.out, None, class_list))
-    ended = BROKEN if parsed.strict and summary.needs_person else DONE
-    if getattr(parsed, "summary", None) == "github":
+    written = write_reports(course, book, Options(wanted.out, None, class_list))
+    ended = BROKEN if wanted.strict and summary.needs_person else DONE
+    if wanted.for_github:
         _tell_github(console, course, summary, _records(view, tally))
-    if parsed.json:
+    if wanted.for_machines:
         records = _records(view, tally)
         print_json(
             {
@@ -185,13 +183,11 @@ def _tell_github(
             console.out(line, highlight=False)
 
 
-def _journal(
-    parsed: argparse.Namespace, book: Gradebook, regrade: bool
-) -> AbstractContextManager[Journal | None]:
+def _journal(wanted: GradingWanted, book: Gradebook) -> AbstractContextManager[Journal | None]:
     """What is at work, beside the gradebook; a regrade gives everybody another chance."""
-    if parsed.dry_run:
+    if wanted.trial:
         return nullcontext()
-    return Journal(book.path.with_suffix(".at-work"), forget=regrade)
+    return Journal(book.path.with_suffix(".at-work"), forget=wanted.regrade)
 
 
 @contextmanager
@@ -257,7 +253,7 @@ def _look_again(
 
 
 def _after_interruption(
-    parsed: argparse.Namespace,
+    wanted: GradingWanted,
     console: Console,
     course: Course,
     book: Gradebook,
@@ -266,11 +262,11 @@ def _after_interruption(
 ) -> int:
     """Write the reports of what is done, and say how to go on."""
     count = len(summary.rows)
-    if tally.count and not parsed.dry_run:
+    if tally.count and not wanted.trial:
         students = set(tally.students)
         rows = (row for row in summary.rows if row.submission.student in students)
         book.set_lateness((row.submission.student, row.lateness()) for row in rows)
-        options = Options(parsed.out, students, summary.class_list)
+        options = Options(wanted.out, students, summary.class_list)
         write_reports(course, book, options)
         sentence = _(
             "Stopped: {some} of {all} were graded; their reports are written; run it again to go "
@@ -293,11 +289,9 @@ def _require_packages(course: Course) -> None:
 
 
 def _choose_run(
-    parsed: argparse.Namespace,
+    wanted: GradingWanted,
     course: Course,
     book: Gradebook,
-    regrade: bool,
-    isolation: Isolation,
 ) -> Run:
     """The last run goes on, unless the key, the seed or the wish to regrade asks for a new one.
 
@@ -307,27 +301,24 @@ def _choose_run(
     """
     last = book.last_run()
     seed = last.seed if last else secrets.randbits(32)
-    if parsed.seed is not None:
-        seed = parsed.seed
-    if parsed.dry_run:
+    if wanted.seed is not None:
+        seed = wanted.seed
+    if wanted.trial:
         return Run(0, course.version, seed)
     same_key = last is not None and (last.course_version, last.seed) == (course.version, seed)
-    if last and same_key and not regrade and (last.isolation == NO_SANDBOX) == parsed.no_sandbox:
+    bare = wanted.isolation == "none"
+    if last and same_key and not wanted.regrade and (last.isolation == NO_SANDBOX) == bare:
         return last
     # What holds on the workers of a cluster is not known before they are there.
-    text = NO_SANDBOX if isolation == "none" else ON_A_CLUSTER
-    if parsed.cluster is None:
-        text = isolation_text(course, isolation)
+    text = NO_SANDBOX if bare else ON_A_CLUSTER
+    if wanted.cluster is None:
+        text = isolation_text(course, wanted.isolation)
     return book.begin_run(course.version, seed, text)
 
 
-def _tell_dry_run(
-    parsed: argparse.Namespace,
-    console: Console,
-    tally: Tally,
-) -> None:
+def _tell_trial(wanted: GradingWanted, console: Console, tally: Tally) -> None:
     changed = tally.changes()
-    if parsed.json:
+    if wanted.for_machines:
         print_json({"dry_run": True, "changed": [change_fields(change) for change in changed]})
         return
     print_changes(console, tally.earned, changed)

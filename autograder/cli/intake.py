@@ -46,15 +46,17 @@ def add(commands: Commands) -> None:
 def run(parsed: argparse.Namespace, console: Console) -> int:
     """Print the table, what was passed over, and the line of truth."""
     from autograder.cli.shared_intake import take_in_paths, unreadable_students
+    from autograder.cli.wanted import intake_wanted
     from autograder.gradebook import Gradebook
     from autograder.reports.terminal import printable, warn
 
     course = load(parsed)
+    wanted = intake_wanted(parsed)
     if gradebook_path(parsed).exists():
         with Gradebook(gradebook_path(parsed), create=False) as book:
-            summary = take_in_paths(parsed, course, find_class_list(parsed, book), book)
+            summary = take_in_paths(wanted, course, find_class_list(parsed, book), book)
     else:
-        summary = take_in_paths(parsed, course, find_class_list(parsed, None), None)
+        summary = take_in_paths(wanted, course, find_class_list(parsed, None), None)
     summary.unreadable = unreadable_students(course, summary)
     if parsed.json:
         print_json(summary.to_dict())

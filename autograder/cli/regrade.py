@@ -31,6 +31,7 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
     """Grade again what the gradebook knows; work that has gone keeps its marks, and is named."""
     from autograder.cli.grading_run import grade_and_report
     from autograder.cli.shared_intake import settle
+    from autograder.cli.wanted import grading_wanted, intake_wanted
     from autograder.gradebook import Gradebook, find_record, view_class
     from autograder.gradebook.view import with_people
     from autograder.intake.long_list import LongList
@@ -57,5 +58,6 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
                 )
         if not remaining:
             raise UsageError("There is nothing to grade again; run `autograder grade PATH`.")
-        summary = settle(parsed, class_list, remaining, book)
-        return grade_and_report(parsed, console, course, book, summary, regrade=True)
+        summary = settle(intake_wanted(parsed), class_list, remaining, book)
+        wanted = grading_wanted(parsed, regrade=True)
+        return grade_and_report(wanted, console, course, book, summary)

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import argparse
 from collections.abc import Sequence
 from datetime import datetime
 from pathlib import Path
 
+from autograder.cli.wanted import IntakeWanted
 from autograder.course import Course
 from autograder.errors import UsageError
 from autograder.gradebook import Gradebook
@@ -22,14 +22,14 @@ _TRUST = "trust_times"
 
 
 def take_in_paths(
-    parsed: argparse.Namespace, course: Course, class_list: ClassList, book: Gradebook | None
+    wanted: IntakeWanted, course: Course, class_list: ClassList, book: Gradebook | None
 ) -> Summary:
     """What is at the paths, whose it is and when it was handed in.
 
     Raises:
         UsageError: if there is nothing, or if it is not clear what it is.
     """
-    for path in parsed.paths:
+    for path in wanted.paths:
         if not path.exists():
             raise UsageError(f"There is nothing at {path}; name a file or folder that exists.")
     late = class_list.late
@@ -41,16 +41,16 @@ def take_in_paths(
         class_list.zone,
     )
     known = _known_keys(book) if book is not None else {}
-    intake = take_in(parsed.paths, course.settings, context, parsed.layout, known)
+    intake = take_in(wanted.paths, course.settings, context, wanted.layout, known)
     if not intake.submissions:
         why = (
             f": {intake.passed_over[0].place} was passed over, it is {intake.passed_over[0].reason}"
         )
         raise UsageError(
-            f"There are no submissions in {', '.join(map(str, parsed.paths))}"
+            f"There are no submissions in {', '.join(map(str, wanted.paths))}"
             f"{why if intake.passed_over else ''}."
         )
-    summary = settle(parsed, class_list, intake.submissions, book)
+    summary = settle(wanted, class_list, intake.submissions, book)
     summary.passed_over = intake.passed_over
     summary.rules = intake.rules
     summary.warnings = [*intake.warnings, *summary.warnings]
@@ -58,14 +58,14 @@ def take_in_paths(
 
 
 def settle(
-    parsed: argparse.Namespace,
+    wanted: IntakeWanted,
     class_list: ClassList,
     submissions: Sequence[Submission],
     book: Gradebook | None,
 ) -> Summary:
     """Whose submissions are and when they were handed in."""
-    times = _times(parsed, class_list)
-    return summarise(submissions, class_list, times, _trusted(parsed, book))
+    times = _times(wanted, class_list)
+    return summarise(submissions, class_list, times, _trusted(wanted, book))
 
 
 def unreadable_students(course: Course, summary: Summary) -> frozenset[str]:
@@ -87,20 +87,20 @@ def _known_keys(book: Gradebook) -> dict[tuple[str, str], str]:
     }
 
 
-def _times(parsed: argparse.Namespace, class_list: ClassList) -> dict[str, datetime]:
+def _times(wanted: IntakeWanted, class_list: ClassList) -> dict[str, datetime]:
     """The table that is given, or `times.csv` beside the submissions or the gradebook."""
-    if parsed.times is not None:
-        return read_times(parsed.times, class_list.zone)
-    folders: list[Path] = [path for path in getattr(parsed, "paths", ()) if path.is_dir()]
-    for folder in (*folders, parsed.out):
+    if wanted.times is not None:
+        return read_times(wanted.times, class_list.zone)
+    folders: list[Path] = [path for path in wanted.paths if path.is_dir()]
+    for folder in (*folders, wanted.out):
         if (folder / "times.csv").is_file():
             return read_times(folder / "times.csv", class_list.zone)
     return {}
 
 
-def _trusted(parsed: argparse.Namespace, book: Gradebook | None) -> bool:
-    if parsed.trust_times is None:
+def _trusted(wanted: IntakeWanted, book: Gradebook | None) -> bool:
+    if wanted.trust_times is None:
         return book is not None and book.setting(_TRUST) == "yes"
-    if book is not None and not getattr(parsed, "dry_run", False):
-        book.set(_TRUST, "yes" if parsed.trust_times else "no")
-    return bool(parsed.trust_times)
+    if book is not None and not wanted.trial:
+        book.set(_TRUST, "yes" if wanted.trust_times else "no")
+    return bool(wanted.trust_times)
