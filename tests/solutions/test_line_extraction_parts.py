@@ -200,6 +200,16 @@ def test_two_points_of_a_wall_at_45_degrees_are_one_if_that_is_enough(extract):
         assert segment.line == pytest.approx((2 * math.cos(half), math.pi / 4))
 
 
+@METHODS
+def test_the_normal_of_a_wall_behind_is_pi_and_not_the_same_below(extract):
+    settings = Settings(min_points=2, grazing_angle=1.0)
+    for half in np.linspace(0.2, 0.4, 30):
+        angles = np.array([math.pi - half, math.pi + half])
+        (segment,) = extract(np.array([2.0, 2.0]), angles, settings)
+        assert -math.pi < segment.line.alpha <= math.pi
+        assert math.cos(segment.line.alpha) == pytest.approx(-1.0)
+
+
 @pytest.mark.parametrize(
     ("ranges", "angles"),
     [((3, 179), (180,)), ((180,), (180,)), ((2, 3, 180), (180,)), ((2, 3, 4), (3, 4)), ((5,), ())],
