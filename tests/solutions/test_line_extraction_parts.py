@@ -131,8 +131,11 @@ def test_a_piece_of_exactly_half_a_walls_length_shows_a_bend():
 
     at_the_limit = Settings(min_length=2 * abs(end - start))
     assert split_and_merge(ranges, ANGLES, at_the_limit) == []
-    longer = Settings(min_length=2.001 * abs(end - start))
-    assert inliers(split_and_merge(ranges, ANGLES, longer)) == inliers([long])
+    for extract in (one_by_one, all_at_once):
+        shorter = Settings(min_length=1.999 * abs(end - start))
+        assert extract(ranges, ANGLES, shorter) == []
+        longer = Settings(min_length=2.001 * abs(end - start))
+        assert inliers(extract(ranges, ANGLES, longer)) == inliers([long])
 
 
 @METHODS
@@ -152,3 +155,78 @@ def test_two_pieces_that_are_exactly_as_rough_as_a_wall_may_be_are_one(extract):
         found = extract(ranges, ANGLES, settings)
         assert len(found) == count
         assert sorted(beam for one in inliers(found) for beam in one) == beams.tolist()
+
+
+@METHODS
+@pytest.mark.parametrize(
+    ("side", "count", "walls"), [(1, 3, [12]), (1, 4, []), (-1, 2, [11]), (-1, 3, [])]
+)
+def test_a_piece_of_less_than_half_a_walls_points_shows_no_bend(extract, side, count, walls):
+    """A wall of 12 points, and a piece of few that goes on at 20 degrees and is long enough.
+
+    The piece that comes first has the point at the corner as well.
+    """
+    angles = np.radians(np.arange(12.0 + count) - 11.5)  # the walls meet at 0
+    ranges = 10 / np.cos(angles)
+    turned = math.radians(-20.0)
+    behind = angles > 0
+    ranges[behind] = 10 * math.cos(turned) / np.cos(angles[behind] - turned)
+    if side < 0:
+        ranges, angles = ranges[::-1], -angles[::-1]
+    found = extract(ranges, angles, Settings(min_length=0.6))
+    assert [len(beams) for beams in inliers(found)] == walls
+
+
+@METHODS
+def test_the_walls_of_a_closet_are_as_near_as_they_are(extract):
+    walls = [(0.5, 0.0), (0.4, 90.0), (0.3, 180.0), (0.45, -90.0)]
+    found = extract(seen(ROUND, *walls), ROUND, Settings(min_length=0.3))
+    assert len(found) == 4
+    for r, alpha in walls:
+        away = [
+            abs(one.line.r - r) + abs(np.exp(1j * one.line.alpha) - np.exp(1j * np.radians(alpha)))
+            for one in found
+        ]
+        assert min(away) < 0.03
+
+
+@METHODS
+def test_two_points_of_a_wall_at_45_degrees_are_one_if_that_is_enough(extract):
+    """As wide as high, to the last digit in many of these; their direction is clear."""
+    settings = Settings(min_points=2, grazing_angle=1.0)
+    for half in np.linspace(0.2, 0.4, 30):
+        angles = np.array([math.pi / 4 - half, math.pi / 4 + half])
+        (segment,) = extract(np.array([2.0, 2.0]), angles, settings)
+        assert segment.line == pytest.approx((2 * math.cos(half), math.pi / 4))
+
+
+@METHODS
+def test_the_normal_of_a_wall_behind_is_pi_and_not_the_same_below(extract):
+    settings = Settings(min_points=2, grazing_angle=1.0)
+    for half in np.linspace(0.2, 0.4, 30):
+        angles = np.array([math.pi - half, math.pi + half])
+        (segment,) = extract(np.array([2.0, 2.0]), angles, settings)
+        assert -math.pi < segment.line.alpha <= math.pi
+        assert math.cos(segment.line.alpha) == pytest.approx(-1.0)
+
+
+@pytest.mark.parametrize(
+    ("ranges", "angles"),
+    [((3, 179), (180,)), ((180,), (180,)), ((2, 3, 180), (180,)), ((2, 3, 4), (3, 4)), ((5,), ())],
+)
+def test_many_scans_have_as_many_ranges_as_angles_each(ranges, angles):
+    with pytest.raises(ValueError, match=r"Needs \(M, B\) ranges and \(B,\) angles, not"):
+        split_and_merge_all(np.ones(ranges), np.zeros(angles))
+
+
+def test_many_scans_may_be_lists_and_masked_readings_are_no_echoes():
+    scans = np.tile(seen(ANGLES, (4.0, 0.0), (3.0, 90.0), (2.0, -90.0)), (2, 1))
+    without = scans.copy()
+    without[1, 80:85] = np.nan
+    masked = np.ma.masked_array(scans, np.isnan(without))
+    expected = split_and_merge_all(without, ANGLES)
+    for given in (without.tolist(), masked):
+        found = split_and_merge_all(given, ANGLES.tolist())
+        for scan in (0, 1):
+            assert inliers(found.of(scan)) == inliers(expected.of(scan))
+            assert len(found.of(scan)) == 3

@@ -40,6 +40,22 @@ def test_the_second_nearest_is_farther_by_the_ratio_of_distances():
     assert match_features(one, of([0.0, 1.0], [0.0, -1.0]), 1.0).tolist() == []
 
 
+@pytest.mark.parametrize("ratio", [0.5, 0.8, 0.95, 1.0])
+def test_the_matches_are_those_that_one_by_one_gives(ratio):
+    rng = np.random.default_rng(0)
+    one = rng.normal(5.0, 1.0, (60, 3)).astype(np.float32)
+    other = np.vstack([rng.normal(5.0, 1.0, (50, 3)), one[:40] + rng.normal(0, 0.2, (40, 3))])
+    other = rng.permutation(other).astype(np.float32)
+    apart = np.linalg.norm(one[:, None] - other, axis=2)
+    expected = []
+    for i, row in enumerate(apart):
+        first, second = np.argsort(row)[:2]
+        if row[first] < ratio * row[second] and apart[:, first].argmin() == i:
+            expected.append([i, int(first)])
+    assert len(expected) > 5
+    assert match_features(of(*one), of(*other), ratio).tolist() == expected
+
+
 def test_of_two_that_look_the_same_none_is_a_match():
     one = of([0.0, 0.0], [9.0, 0.0])
     assert match_features(one, of([0.0, 0.0], [0.0, 0.0], [9.0, 0.0])).tolist() == [[1, 2]]
@@ -92,6 +108,25 @@ def test_the_most_certain_candidate_comes_first_and_of_equals_the_better_ranked(
     }
     found = verify_candidates(query, list(features), features, np.random.default_rng(0))
     assert found == [("all", 40), ("all again", 40), ("some", 25)]
+
+
+def test_each_match_is_found_where_its_features_are():
+    """The other photograph is moved, and its features are in another order, with more of them."""
+    query = unlike(spots(30))
+    moved = Features(
+        np.vstack([spots(5, seed=1), query.positions[::-1] @ [[0.9, 0.1], [-0.1, 1.1]] + [30, 9]]),
+        np.vstack([query.descriptors[:5] * 0 - 100, query.descriptors[::-1]]),
+    )
+    for one, other in ((query, moved), (moved, query)):
+        found = verify_candidates(one, ["moved"], {"moved": other}, np.random.default_rng(0))
+        assert found == [("moved", 30)]
+
+
+def test_a_candidate_without_a_geometry_has_no_inliers():
+    query, nothing = unlike(spots(30)), unlike(np.zeros((0, 2)))
+    for fewest, found in ((1, []), (0, [("nothing", 0)])):
+        rng = np.random.default_rng(0)
+        assert verify_candidates(query, ["nothing"], {"nothing": nothing}, rng, fewest) == found
 
 
 def test_matches_of_the_same_pixels_are_one():
