@@ -167,6 +167,7 @@ class Tier:
             MachineError: if this machine is short of something; a weaker kind is no way out.
         """
         began = time.monotonic()
+        self.problem, self.results = "", {}
         try:
             self._started.append(self.start())
             self.results = _try_to_get_out(self._started[-1], self.course)
@@ -244,7 +245,9 @@ def best_tier(course: Course, wanted: str = "auto") -> Tier:
         for tier in tiers(course):
             if wanted not in ("auto", tier.name):
                 continue
-            if tier.try_out():
+            # What did not come to an end says nothing of the isolation: this machine may have stood
+            # still meanwhile, and a weaker kind for that would be for the whole run.
+            if tier.try_out() or (not tier.results and tier.try_out()):
                 atexit.register(tier.stop_unused)
                 _best[course.root, wanted] = tier
                 return tier

@@ -7,7 +7,7 @@ import pytest
 from autograder.cli import main
 from autograder.sandbox import bubblewrap, landlock, tiers
 from autograder.sandbox.doctor import run_doctor
-from autograder.sandbox.host import Host
+from autograder.sandbox.host import Host, HostError
 from autograder.sandbox.launcher import SandboxError
 from tests.classroom import make_course
 
@@ -59,6 +59,33 @@ def test_where_bubblewrap_may_not_work_the_reduced_kind_is_taken(
     assert tier.name == "reduced"
     assert "Landlock, seccomp" in tier.text
     assert "missing: a file system and a list of processes of its own" in tier.text
+
+
+@needs_landlock
+def test_a_trial_that_did_not_come_to_an_end_is_made_again(course, nothing_tried_yet, monkeypatch):
+    """A machine that stood still for a while has not lost its isolation."""
+    tried, start = [], tiers.Tier.start
+
+    def late_at_first(self: tiers.Tier) -> Host:
+        tried.append(self.name)
+        if len(tried) == 1:
+            raise HostError("The sandbox does not answer.")
+        return start(self)
+
+    monkeypatch.setattr(tiers.Tier, "start", late_at_first)
+    tier = tiers.best_tier(course, "reduced")
+    tier.stop_unused()
+    assert tried == ["reduced", "reduced"]
+    assert tier.problem == ""
+
+
+@needs_landlock
+def test_a_leak_is_not_tried_a_second_time(course, nothing_tried_yet, leaky, monkeypatch):
+    tried, start = [], tiers.Tier.start
+    monkeypatch.setattr(tiers.Tier, "start", lambda self: [tried.append(1), start(self)][1])
+    with pytest.raises(SandboxError, match="no file outside can be read"):
+        tiers.best_tier(course, "reduced")
+    assert tried == [1]
 
 
 def test_where_nothing_holds_the_reasons_and_the_remedy_are_given(
