@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 from dataclasses import dataclass
-from difflib import get_close_matches
 from pathlib import Path
 
 import jupytext
@@ -13,6 +12,7 @@ import jupytext
 from autograder.course import Chapter, Course
 from autograder.course.folders import MASTERS, SOLUTIONS
 from autograder.errors import CourseError, UsageError
+from autograder.questions.strict import nearest
 
 _CALL = re.compile(r"(?<![\w.])(\w+)\(")
 _TELLS = re.compile(r"""(?<![\w.])numbers\(\s*["']([^"']*)["']""")
@@ -177,11 +177,10 @@ def _read_master(course: Course, path: Path) -> Master:
 def _check_marks(path: Path, text: str, metadata: Iterable[str]) -> None:
     """Whether what stands behind ``# %%`` is an exercise or a demo, if it looks like one."""
     for mark in metadata:
-        near = get_close_matches(mark, _MARKS, 1, 0.75)
+        near = nearest(mark, _MARKS)
         if near and mark not in _MARKS:
             raise CourseError(
-                f"{_where(path, text, mark)} marks a cell by {mark!r}; "
-                f"perhaps {near[0]!r} is meant."
+                f"{_where(path, text, mark)} marks a cell by {mark!r}; perhaps {near!r} is meant."
             )
 
 

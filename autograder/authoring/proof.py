@@ -1,11 +1,11 @@
 """``autograder check``: the course proves itself.
 
-What is proven: every question is asked once and has a key; its texts
-say what was typed; its reference runs on every case; the solved notebooks earn every point
-and the untouched ones none; each known mistake is told apart from the right response and from the
-other mistakes by the very inputs that grade; each mutant of what is right loses credit, and right
-work in other clothes earns all; what a docstring promises to raise is asked for; no answer stands
-in what students get; no file is out of place.
+What is proven: every question is asked once and has a key; its texts say what was typed; its
+reference runs on every case; the solved notebooks earn every point and the untouched ones none;
+each known mistake is told apart from the right response and from the other mistakes by the very
+inputs that grade; each mutant of what is right loses credit, and right work in other clothes earns
+all; what a docstring promises to raise is asked for; no answer stands in what students get; no file
+is out of place.
 """
 
 from __future__ import annotations

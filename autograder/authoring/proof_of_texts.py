@@ -9,7 +9,6 @@ from __future__ import annotations
 import ast
 import re
 from collections.abc import Collection, Iterator
-from difflib import get_close_matches
 
 from msgspec.structs import asdict
 
@@ -19,7 +18,7 @@ from autograder.course.folders import ANSWERS, QUESTIONS
 from autograder.course.questions import Written
 from autograder.course.selections import FIELD
 from autograder.questions.formula import CONSTANTS, FUNCTIONS
-from autograder.questions.strict import Place
+from autograder.questions.strict import Place, nearest
 from autograder.questions.toml_lines import Path
 
 _MATH = re.compile(r"\$\$.*?\$\$|\$[^$]{0,400}\$", re.DOTALL)
@@ -102,9 +101,9 @@ def _misspelt(found: re.Match[str], text: str, names: Collection[str]) -> str:
     used = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}
     unknown = sorted(used - {*names, *FUNCTIONS, *CONSTANTS})
     for name in unknown:
-        near = get_close_matches(name, names, 1, 0.75)
+        near = nearest(name, names)
         if near:
-            return f"is not filled in: there is no variable {name!r}; perhaps {near[0]!r} is meant"
+            return f"is not filled in: there is no variable {name!r}; perhaps {near!r} is meant"
     in_math = any(math.start() < found.start() < math.end() for math in _MATH.finditer(text))
     if unknown and used & set(names) and not in_math:
         return f"is not filled in: {unknown[0]!r} is neither a variable nor a function of formulas"

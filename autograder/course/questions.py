@@ -12,7 +12,7 @@ from autograder.course.filling import fill
 from autograder.course.selections import DRAW, FIELD, drawn, read_draws
 from autograder.questions.question import Question
 from autograder.questions.registry import has_kind, kind_named, kind_names
-from autograder.questions.strict import Place, Table, meant, read_table
+from autograder.questions.strict import Place, Table, meant, nearest, read_table
 from autograder.questions.variables import Variables, read_variables
 
 __all__ = ["Question", "Written", "question_from_table"]
@@ -120,8 +120,8 @@ def question_from_table(table: Table, chapter: str, text: str = "", position: in
     place = Written(table, chapter, text, position).place
     name = table.get("kind")
     if "kind" not in table:
-        near = next((key for key in table if meant("kind", [key]).startswith("perhaps")), None)
-        if near is not None:
+        near = nearest("kind", table)
+        if near:
             raise place.error(f"unknown field {near!r}; perhaps 'kind' is meant", (near,))
         raise place.error(f"the field 'kind' is missing; write one of {', '.join(kind_names())}")
     if not isinstance(name, str) or not has_kind(name):

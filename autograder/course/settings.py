@@ -10,7 +10,7 @@ import msgspec
 from msgspec import Meta
 
 from autograder.course.toml_file import read_toml
-from autograder.questions.strict import Place, meant, read_table
+from autograder.questions.strict import Place, nearest, read_table
 from autograder.questions.written import Written
 
 _LARGEST = 1_000_000  # beyond all use, and within what timers and counters can take
@@ -98,7 +98,7 @@ def read_settings(root: Path) -> WrittenSettings:
     tools = table.get("tool", {})
     settings = tools.get("autograder", {}) if isinstance(tools, dict) else {}
     for name in tools if isinstance(tools, dict) and "autograder" not in tools else ():
-        if meant(name, ["autograder"]).startswith("perhaps"):
+        if nearest(name, ["autograder"]):
             place = Place(f"[tool.{name}] in {path}", text, ("tool", name))
             raise place.error("nobody reads this table; perhaps [tool.autograder] is meant")
     place = Place(f"[tool.autograder] in {path}", text, ("tool", "autograder"))

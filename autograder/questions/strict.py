@@ -99,8 +99,13 @@ def _explained(
 
 def meant(name: str, known: Iterable[str]) -> str:
     """What to do about a name that is not known: which of those it looks like, if any."""
-    near = get_close_matches(name, list(known), 1, _ALIKE)
-    return f"perhaps {near[0]!r} is meant" if near else "remove or correct it"
+    near = nearest(name, known)
+    return f"perhaps {near!r} is meant" if near else "remove or correct it"
+
+
+def nearest(name: str, known: Iterable[str]) -> str:
+    """The known name that another one is a slip of; empty if it looks like none."""
+    return next(iter(get_close_matches(name, list(known), 1, _ALIKE)), "")
 
 
 def _expected(wanted: str, rest: str, table: dict[str, object], path: toml_lines.Path) -> str:

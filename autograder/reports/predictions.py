@@ -76,10 +76,13 @@ def predictions_html(found: Sequence[Predicted], students: int) -> str:
 
 def _counted(entry: Predicted, students: int) -> str:
     rows = entry.rows()
-    most = max(count for _name, count in rows)
     sentence = _("{some} of {all}")
     made = [
-        [inline(name), str(count), bar(count / most, sentence.format(some=count, all=entry.count))]
+        [
+            inline(name),
+            str(count),
+            bar(count / entry.count, sentence.format(some=count, all=entry.count)),
+        ]
         for name, count in rows
     ]
     caption = _("{some} of {all} predicted.").format(some=entry.count, all=students)

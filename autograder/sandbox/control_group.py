@@ -20,7 +20,7 @@ _PROCESS = Path("/proc/self")
 _PREFIX = "autograder-"
 _SETTLED = 60.0  # seconds after which a group in use has processes
 _WARM_MB = 1024  # for Python, its libraries and what they keep beside a notebook's own memory
-_BESIDE = 8  # processes: bubblewrap, the zygote, and what is just ending
+BESIDE = 8  # processes: bubblewrap, the zygote, and what is just ending
 _NEEDED = {"memory", "pids"}
 _ONE_PROCESSOR = "100000 100000"  # microseconds of processor time in each span of as many
 _EMPTY_SECONDS = 2.0
@@ -77,7 +77,8 @@ def parent_group() -> Path | None:
     Processes of ours and of others may be in groups below it, but none in it, or the kernel gives
     its groups no limits. The root of all groups alone is free of that rule.
     """
-    ours = [group for group in _groups() if os.access(group, os.W_OK)]
+    top = _mounted()
+    ours = [g for g in own_groups(top) if os.access(g, os.W_OK)] if top else []
     for group in ours:
         if _words(group / "cgroup.subtree_control") >= _NEEDED:
             return group
@@ -105,15 +106,15 @@ def _enable(group: Path) -> bool:
     return True
 
 
-def _groups() -> Iterator[Path]:
-    """The group of this process in the tree of version 2, and those above it."""
-    top = _mounted()
-    if top is None:
-        return
+def own_groups(top: Path, controllers: tuple[str, ...] = ("",)) -> Iterator[Path]:
+    """The groups of this process that are below ``top``, and those above each.
+
+    ``controllers`` are those of a tree as the kernel lists them: none for that of version 2.
+    """
     with suppress(OSError):
         for line in (_PROCESS / "cgroup").read_text(encoding="utf-8").splitlines():
-            number, controllers, path = line.split(":", 2)
-            if number == "0" and not controllers and ".." not in path:
+            _, of_tree, path = line.split(":", 2)
+            if of_tree in controllers and ".." not in path:
                 group = top / path.strip("/")
                 yield from (g for g in (group, *group.parents) if g.is_relative_to(top))
 
@@ -137,7 +138,7 @@ def _limit(group: Path, settings: Settings) -> None:
     """
     most = settings.memory_mb + settings.files_mb + _WARM_MB
     (group / "memory.max").write_text(str(most * 2**20), encoding="ascii")
-    (group / "pids.max").write_text(str(settings.processes + _BESIDE), encoding="ascii")
+    (group / "pids.max").write_text(str(settings.processes + BESIDE), encoding="ascii")
     for name, value in (
         ("memory.swap.max", "0"),
         ("memory.oom.group", "1"),  # all of it ends: what is left would answer for what is not

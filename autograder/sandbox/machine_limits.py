@@ -12,10 +12,10 @@ from pathlib import Path
 
 from autograder.course import Settings
 from autograder.errors import MachineError
+from autograder.sandbox.control_group import BESIDE, own_groups
 
 OPEN_FILES = 256  # for a notebook; the grader itself needs about twenty for each job
 _WARM_MB = 1536  # of addresses, for Python and its libraries
-_BESIDE = 8  # processes: bubblewrap, the zygote, and what is just ending
 _CGROUPS = Path("/sys/fs/cgroup")
 
 
@@ -27,7 +27,7 @@ def require_room(settings: Settings) -> None:
     """
     for kind, letter, needed, words in (
         (resource.RLIMIT_NOFILE, "n", OPEN_FILES, "open files"),
-        (resource.RLIMIT_NPROC, "u", settings.processes + _BESIDE, "processes"),
+        (resource.RLIMIT_NPROC, "u", settings.processes + BESIDE, "processes"),
         (resource.RLIMIT_FSIZE, "f", settings.files_mb * 2**20, "bytes in a file"),
         (resource.RLIMIT_CPU, "t", settings.cpu_seconds + 1, "seconds of a processor"),
         (
@@ -50,24 +50,18 @@ def require_room(settings: Settings) -> None:
             with suppress(OSError, ValueError):
                 resource.setrlimit(kind, (max(soft, wanted), hard))
     left = min(_processes_left(), default=None)
-    if left is not None and left < settings.processes + _BESIDE:
+    if left is not None and left < settings.processes + BESIDE:
         raise MachineError(
             f"This container allows {left} more processes (pids.max), and a notebook may use "
-            f"{settings.processes + _BESIDE}: student work would fail for it. Allow more (docker "
+            f"{settings.processes + BESIDE}: student work would fail for it. Allow more (docker "
             "run --pids-limit), or change processes in [tool.autograder]; then grade again."
         )
 
 
 def _processes_left() -> Iterator[int]:
     """How many processes each control group that this one is in has left."""
-    groups: list[Path] = []
-    with suppress(OSError):
-        for line in Path("/proc/self/cgroup").read_text(encoding="utf-8").splitlines():
-            _, controllers, path = line.split(":", 2)
-            if controllers in ("", "pids"):
-                for top in (_CGROUPS, _CGROUPS / "unified", _CGROUPS / "pids"):
-                    group = top / path.strip("/")
-                    groups += [g for g in (group, *group.parents) if g.is_relative_to(top)]
+    tops = (_CGROUPS, _CGROUPS / "unified", _CGROUPS / "pids")
+    groups = [group for top in tops for group in own_groups(top, ("", "pids"))]
     for group in dict.fromkeys(groups):
         with suppress(OSError, ValueError):
             yield int((group / "pids.max").read_text()) - int((group / "pids.current").read_text())

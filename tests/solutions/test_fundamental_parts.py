@@ -113,11 +113,19 @@ def test_the_geometry_is_fitted_to_all_that_agree():
     assert len(found.inliers) >= 0.97 * (sampson_distances(true, x, y)[0] <= 2.0).sum()
 
 
-def test_it_is_fitted_again_as_long_as_more_matches_agree(monkeypatch):
-    counts, fitted = iter([9, 10, 12, 12]), []
+@pytest.mark.parametrize(
+    ("agree", "fitted"),
+    [
+        ([9, 10, 12, 12], [(5, 8), (1, 9), (1, 10), (1, 12)]),
+        ([8, 11, 11], [(5, 8), (1, 8), (1, 11)]),
+    ],
+    ids=["many", "eight"],
+)
+def test_it_is_fitted_again_as_long_as_more_matches_agree(monkeypatch, agree, fitted):
+    counts, samples_of = iter(agree), []
 
     def better(best: Epipolar, samples: np.ndarray, *others: object) -> Epipolar:
-        fitted.append(samples.shape)
+        samples_of.append(samples.shape)
         count = next(counts)
         return best if count == len(best.inliers) else Epipolar(np.eye(3), np.arange(count))
 
@@ -125,8 +133,8 @@ def test_it_is_fitted_again_as_long_as_more_matches_agree(monkeypatch):
     x, y = side_by_side(np.random.default_rng(0), 20)
     found = ransac_fundamental(x, y, np.random.default_rng(1), iterations=5)
     assert found is not None
-    assert_array_equal(found.inliers, np.arange(12))
-    assert fitted == [(5, 8), (1, 9), (1, 10), (1, 12)]
+    assert_array_equal(found.inliers, np.arange(agree[-1]))
+    assert samples_of == fitted
 
 
 def test_only_more_matches_are_better():
@@ -276,20 +284,6 @@ def test_samples_are_enough_as_soon_as_they_are_as_many_as_needed(monkeypatch):
     x, y = np.random.default_rng(0).uniform(0, 426, (2, 60, 2))
     ransac_fundamental(x, y, np.random.default_rng(1))
     assert counted.drawn == [64, 64]
-
-
-def test_eight_that_agree_are_fitted_again_too(monkeypatch):
-    counts = iter([8, 11, 11])
-
-    def better(best: Epipolar, *others: object) -> Epipolar:
-        count = next(counts)
-        return best if count == len(best.inliers) else Epipolar(np.eye(3), np.arange(count))
-
-    monkeypatch.setattr(module, "_better", better)
-    x, y = side_by_side(np.random.default_rng(0), 20)
-    found = ransac_fundamental(x, y, np.random.default_rng(1), iterations=5)
-    assert found is not None
-    assert len(found.inliers) == 11
 
 
 def test_a_degenerate_geometry_gives_way_to_the_next_best():
