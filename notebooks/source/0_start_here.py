@@ -87,7 +87,11 @@ area
 
 # %% [markdown]
 # `sp.sin(width)`, `sp.cos(width)`, `sp.sqrt(width)` and `width**2` work as you would expect. It does
-# not matter in which form you write a formula: `height * width` is the same answer.
+# not matter in which form you write a formula: `height * width` is the same answer. Formulas and numbers are
+# written without quotes, and of an equation only the side that is asked for: `width * height`, not
+# `sp.Eq(area, width * height)`.
+#
+# A function leaves the arrays and lists that it is given as they are. To change one, make a copy first.
 #
 # Your answers are stored as you give them. You may close the notebook, restart its kernel or clear
 # its outputs, and they are still there.

@@ -9,6 +9,10 @@ from solutions.cases.case import Case, Value
 
 def adaptive_stop_cases(rng: np.random.Generator) -> list[Case]:
     """Return runs that stop early, late, at a worse sample, and not at all."""
+    # 49 samples for the first, 48 for the second: one more point in a hundred counts.
+    slightly = np.array([300, 303, *rng.integers(2, 300, 60)])
+    # When the best sample of all comes, the search has stopped.
+    late = np.array([5, 50, 7, 9] * 10 + [90])
     example = [np.array([20, 50, 30] * 10), 100, 0.99]
     public = {"name": "half of the points agree in the end", "args": example, "public": True}
     cases: list[Case] = []
@@ -16,6 +20,7 @@ def adaptive_stop_cases(rng: np.random.Generator) -> list[Case]:
         ("many inliers", 0.4, 0.6, 0.95),
         ("few inliers", 0.2, 0.25, 0.9),
         ("almost certain", 0.5, 0.6, 0.999),
+        ("hardly any inliers", 0.16, 0.18, 0.999),  # more than two hundred samples
     ):
         cases += [{"name": name, "args": _run(rng, low, high, p, at)} for at in (4, 90)]
     count = int(rng.integers(40, 60))
@@ -23,6 +28,9 @@ def adaptive_stop_cases(rng: np.random.Generator) -> list[Case]:
     cases += [
         {"name": "the run is too short", "args": [short, 200, 0.95]},
         {"name": "all points agree", "args": [np.array([3, 200, 5, 4]), 200, 0.95]},
+        {"name": "all points agree", "args": [np.array([200, 3, 5, 4]), 200, 0.999]},
+        {"name": "slightly better", "args": [slightly, 1000, 0.99]},
+        {"name": "a better sample after the last", "args": [late, 100, 0.95]},
         {"name": "the first sample is enough", "args": [np.array([190, 3, 3]), 200, 0.5]},
         {"name": "exactly as many as there are", "args": [np.full(11, 50), 100, 0.95]},  # 10.41
         {"name": "ten points", "args": [np.full(30, 5), 10, 0.95]},
@@ -75,13 +83,13 @@ def _run(rng: np.random.Generator, low: float, high: float, p: float, at: int) -
 
     The best share is far enough from those at which the number of samples jumps.
     """
-    N = int(rng.integers(300, 500))
-    agreeing = rng.integers(2, int(0.1 * N), 400)
-    agreeing[3] = int(0.15 * N)
     while True:
+        N = int(rng.integers(300, 500))  # for some N there is no such share
         best = int(rng.uniform(low, high) * N)
         fraction = math.log1p(-p) / math.log1p(-((best / N) ** 2)) % 1
         if 0.1 < fraction < 0.4:  # `round` would round it down
             break
+    agreeing = rng.integers(2, int(0.1 * N), 400)
+    agreeing[3] = int(0.15 * N)
     agreeing[at] = best
     return [agreeing, N, p]

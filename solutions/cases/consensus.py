@@ -27,6 +27,9 @@ STRICT = Noise(0.03, (0.94, 0.96), ((1.1, 1.12), (1.4, 1.6), (3.0, 4.0)))
 # A line through two points, without a refit, finds the same points.
 LENIENT = Noise(0.05, (0.65, 0.7), ((1.4, 1.5), (3.0, 4.0)))
 
+# So many outliers that few samples are free of them: each that is finds the same points.
+EXACT = Noise(0.0, (0.65, 0.7), ((1.4, 1.5), (3.0, 4.0)))
+
 INSIDE = 3  # inliers in the middle, on each side
 FAR = 21.0  # thresholds between the wall and the other outliers, at least
 
@@ -58,6 +61,11 @@ def axes_of(alpha: float) -> np.ndarray:
     """Return the normal of a line and the direction along it as the rows of a (2, 2) array."""
     normal = [math.cos(alpha), math.sin(alpha)]
     return np.array([normal, [-normal[1], normal[0]]])
+
+
+def outliers_first(rng: np.random.Generator, inliers: np.ndarray, others: np.ndarray) -> np.ndarray:
+    """Return the rows of both, each shuffled: who looks at the first ones sees no wall."""
+    return np.vstack([rng.permutation(others), rng.permutation(inliers)])
 
 
 def evenly_mixed(inliers: np.ndarray, others: np.ndarray) -> np.ndarray:

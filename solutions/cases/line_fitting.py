@@ -60,7 +60,18 @@ def fit_line_cases(rng: np.random.Generator) -> list[Case]:
     # Counted twice, and not at all: only the ratio of weights matters.
     wall = _wall(rng, 3.0, tilt - 1.0, count=6)
     cases.append({"name": "weighted points", "args": [wall, np.array([20.0, 10, 0, 10, 10, 10])]})
+    # A point that does not count may lie anywhere.
+    wall = wall.copy()
+    wall[2] += rng.uniform(4.0, 6.0, 2)
+    cases.append({"name": "weighted points", "args": [wall, np.array([3.0, 1, 0, 2, 1, 1])]})
     cases.append({"name": "two points", "args": [rng.uniform(1.0, 4.0, (2, 2))]})
+    cases += _exact_walls(rng)
+    # All points count, also equal ones and one that does not seem to belong to the others.
+    wall = _wall(rng, 3.0, tilt + 1.0)
+    cases += [
+        {"name": "points that occur twice", "args": [np.vstack([wall, wall[:9], wall[:3]])]},
+        {"name": "a wall and one point far off", "args": [np.vstack([wall, [[9.0, 7.0]]])]},
+    ]
     # Whole numbers, four of them: sums and means are exact, and so is what they say.
     spot = rng.integers(-9, 9, 2).astype(float)
     aside = spot + 40.0  # farther from the origin than they are wide
@@ -68,10 +79,39 @@ def fit_line_cases(rng: np.random.Generator) -> list[Case]:
     turned = aside + rng.integers(1, 5) * np.array([[2.0, 1], [-1, 2], [-2, -1], [1, -2]])
     cases += [
         {"name": "fewer than two different points", "args": [np.tile(spot, (4, 1))]},
+        {"name": "fewer than two different points", "args": [np.tile(spot, (2, 1))]},
         {"name": "fewer than two different points", "args": [spot[None]]},
         {"name": "the corners of a square", "args": [corners]},
         {"name": "the corners of a square", "args": [turned]},
     ]
+    return cases
+
+
+def _exact_walls(rng: np.random.Generator) -> list[Case]:
+    """Return walls without noise, some of them exactly along an axis or halfway between two."""
+    steps = rng.permutation([0.0, 1.0, 2.0, 5.0])[:, None]
+    across = {"vertical": [1.0, 0.0], "horizontal": [0.0, 1.0], "diagonal": [1.0, -1.0]}
+    cases: list[Case] = []
+    for kind, normal in across.items():
+        for side in (-1, 1):
+            foot = side * rng.integers(2, 6) * np.array(normal)
+            points = foot + steps * [normal[1], normal[0]] * [1, -1 if kind == "diagonal" else 1]
+            cases.append({"name": f"an exactly {kind} wall", "args": [points]})
+    # Hardly longer than wide, and hardly longer than a millimetre.
+    spread = rng.integers(2, 5) * np.array([[1.0, 0], [-1.0, 0], [0, 0.998], [0, -0.998]])
+    cases.append({"name": "a cloud that is nearly round", "args": [spread + np.array([3.0, 2.0])]})
+    place = rng.uniform(1.0, 3.0, 2)
+    tiny = place + np.array([[0.0, 0.0], [8e-4, 6e-4], [4e-4, 3e-4]])
+    cases.append({"name": "a wall of a millimetre", "args": [tiny]})
+    cases += [
+        {
+            "name": "a wall close to the origin",
+            "args": [_wall(rng, 0.004, turn + 0.4, noise=0.0, count=9)],
+        }
+        for turn in np.arange(4) * math.pi / 2
+    ]
+    direction = np.array([[3.0, 4.0]]) if rng.random() < 0.5 else np.array([[-5.0, 12.0]])
+    cases.append({"name": "a wall through the origin", "args": [(steps - 1) * direction]})
     return cases
 
 
@@ -122,6 +162,7 @@ def line_covariance_cases(rng: np.random.Generator) -> list[Case]:
         ("a few points", -60.0, 0.3, 80.0, 5, 1e-4),
         ("a few points", 60.0, 0.3, 80.0, 5, 1e-4),
         ("centred on the foot of the normal", 0.0, 0.02, 6.0, 7, 1e-4),
+        ("many points", 2.0, 0.02, 6.0, 300, 1e-4),
         # So wide that the spread across the wall cannot pass for a part of that along it.
         ("a rough wall", 2.0, 0.05, 6.0, 40, 0.06),
     ):
@@ -131,6 +172,11 @@ def line_covariance_cases(rng: np.random.Generator) -> list[Case]:
         direction = np.array([-math.sin(alpha), math.cos(alpha)])
         wall += np.outer(along + 0.2 * length * np.linspace(-1, 1, count) ** 2, direction)
         cases.append({"name": name, "args": [wall, sigma * rng.uniform(0.7, 1.3)]})
+    # Ten centimetres long, and its centre three beside the foot of the normal.
+    direction = np.array([-math.sin(alpha), math.cos(alpha)])
+    short = _wall(rng, 1.0, alpha, 0.1, 1e-5, 12)
+    short += (0.03 - direction @ short.mean(axis=0)) * direction
+    cases.append({"name": "a short wall, nearly at the foot", "args": [short, 2e-4]})
     return cases
 
 

@@ -10,13 +10,17 @@ import numpy as np
 
 from solutions.cases.case import Case, Value
 from solutions.cases.consensus import (
+    EXACT,
     INSIDE,
     LENIENT,
+    STRICT,
     across_the_wall,
     axes_of,
     evenly_mixed,
     far_away,
+    outliers_first,
 )
+from solutions.cases.many_walls import many_walls, wall_in_a_crowd
 from solutions.cases.ransac import exact_wall, overlap, seed_of
 
 
@@ -43,8 +47,21 @@ def ransac_plane_cases(rng: np.random.Generator) -> list[Case]:
         _plane(rng, "outliers on one side only", slope, small, 1.0, sides=1),
         _plane(rng, "many points in one spot", back, small, 1.0, far=0, spot=20, iterations=180),
     ]
+    cases.append(
+        _plane(
+            rng,
+            "two thirds are outliers, and come first",
+            slope,
+            small,
+            1.0,
+            far=110,
+            iterations=800,
+            crowd=True,
+        )
+    )
     # Multiples of three: the mean of three points is exact, and so is a cross product of zero.
     on_a_line = np.outer(3.0 * rng.permutation(12), rng.integers(1, 4, 3))
+    beside = np.cross(on_a_line.max(axis=0), [1, 2, -4])[None] + on_a_line[:1]
     cloud, threshold = cases[0]["args"][:2]
     # Whole numbers again: any three of these points are on one plane with the origin, exactly.
     one, other = rng.permutation([[2.0, 1.0, 3.0], [-1.0, 4.0, 2.0], [3.0, -2.0, 5.0]])[:2]
@@ -52,6 +69,23 @@ def ransac_plane_cases(rng: np.random.Generator) -> list[Case]:
     cases += [
         # Nearer to each other than the threshold, and a plane all the same.
         {"name": "three points", "args": [_exact_plane(rng, 0.1)[:3], 0.3, 3, seed_of(rng)]},
+        # A sample of three different points is a plane the first time, whatever is drawn.
+        *(
+            {"name": "three points", "args": [_exact_plane(rng)[:3], 0.1, 1, seed_of(rng)]}
+            for _ in range(6)
+        ),
+        # A plane is found only by a sample that holds the point elsewhere.
+        *(
+            {
+                "name": name,
+                "args": [np.vstack(parts), 0.05, 150, seed_of(rng)],
+                "draws": (150, math.inf),
+            }
+            for name, parts in (
+                ("all points but the last on one line", [on_a_line, beside]),
+                ("all points but the first on one line", [beside, on_a_line]),
+            )
+        ),
         {"name": "a plane through the origin", "args": [through_origin, 0.05, 4, seed_of(rng)]},
         # Three centimetres wide: small triangles are triangles, too.
         {"name": "a small plane", "args": [_exact_plane(rng, 0.015), 4e-4, 4, seed_of(rng)]},
@@ -122,7 +156,7 @@ def find_walls_cases(rng: np.random.Generator) -> list[Case]:
         _room(rng, "people between two walls", (60, 40), 22, small, 1.0, clutter=16),
         _room(rng, "nothing but people", (), 12, small, 1.0, clutter=14),
     ]
-    cases.append(_crossing_walls(rng))
+    cases += [_crossing_walls(rng), many_walls(rng), wall_in_a_crowd(rng)]
     wall = exact_wall(rng)
     threshold = cases[0]["args"][1]
     along = (wall[1] - wall[0]) / np.linalg.norm(wall[1] - wall[0])
@@ -201,17 +235,18 @@ def _plane(
     spot: int = 0,
     iterations: int = 110,
     mixed: bool = False,
+    crowd: bool = False,
 ) -> Case:
     """Return a case: 56 points of a square plane, 4 times the scale, and outliers.
 
-    They are shuffled, or evenly mixed.
+    They are shuffled, or evenly mixed, or a crowd of outliers comes first.
     """
     if isinstance(threshold, tuple):
         threshold = float(rng.uniform(*threshold))
     normal = np.asarray(direction) / np.linalg.norm(direction)
     axes = np.linalg.svd(normal[None])[2][1:]  # the two rows span the plane
     count, r = 50, rng.uniform(2.0, 3.0) * scale
-    bulk, middle = across_the_wall(rng, threshold, count, sides=sides)
+    bulk, middle = across_the_wall(rng, threshold, count, EXACT if crowd else STRICT, sides)
     others = far_away(rng, threshold, max(3.0 * scale, 30 * threshold), far, sides)
     in_plane = np.vstack(
         [
@@ -223,7 +258,10 @@ def _plane(
     points = np.outer(r + np.concatenate([bulk, middle, others]), normal) + scale * in_plane @ axes
     spots = np.tile((r + 1.5 * scale) * normal + scale * axes[0], (spot, 1))
     points, on_it = np.vstack([points, spots]), count + 2 * INSIDE
-    points = evenly_mixed(points[:on_it], points[on_it:]) if mixed else rng.permutation(points)
+    if crowd:
+        points = outliers_first(rng, points[:on_it], points[on_it:])
+    else:
+        points = evenly_mixed(points[:on_it], points[on_it:]) if mixed else rng.permutation(points)
     return {
         "name": name,
         "args": [points, threshold, iterations, seed_of(rng)],

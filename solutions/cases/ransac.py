@@ -5,7 +5,16 @@ import math
 import numpy as np
 
 from solutions.cases.case import Case, Value
-from solutions.cases.consensus import INSIDE, across_the_wall, axes_of, evenly_mixed, far_away
+from solutions.cases.consensus import (
+    EXACT,
+    INSIDE,
+    STRICT,
+    across_the_wall,
+    axes_of,
+    evenly_mixed,
+    far_away,
+    outliers_first,
+)
 
 
 def required_iterations_cases(rng: np.random.Generator) -> list[Case]:
@@ -21,6 +30,8 @@ def required_iterations_cases(rng: np.random.Generator) -> list[Case]:
     ):
         cases += [_well_posed(rng, name, s, low, high, up=up) for up in (True, False, True)]
     cases.append(_well_posed(rng, "a small probability", 2, 0.1, 0.2, (0.1, 0.4), up=False))
+    # More points in a sample than any model of the course takes.
+    cases.append(_well_posed(rng, "a sample of twelve points", 12, 0.6, 0.75, up=False))
     easy = [round(rng.uniform(0.2, 0.6), 3), round(rng.uniform(0.85, 0.95), 3), 2]
     cases += [{"name": "one sample is enough", "args": args} for args in (easy, [1e-10, 0.5, 2])]
     # A half and a quarter: their logarithms are one and two times the same number, also rounded.
@@ -32,6 +43,10 @@ def required_iterations_cases(rng: np.random.Generator) -> list[Case]:
         {"name": "hardly any inliers", "args": [0.95, rng.uniform(0.008, 0.01), 7]}
         for _ in range(2)
     ]
+    cases.append({"name": "hardly any inliers", "args": [0.9, rng.uniform(1e-8, 2e-8), 2]})
+    cases.append({"name": "hardly any outliers", "args": [0.9999, 0.9995, 2]})  # 1.33
+    # The same shares, in samples of another size.
+    cases += [{"name": "a plane after a line", "args": [0.97, 0.35, s]} for s in (2, 3, 1)]
     p, w, s = round(rng.uniform(0.5, 0.99), 3), round(rng.uniform(0.2, 0.9), 3), 3
     cases.append({"name": "nothing but inliers", "args": [p, 1.0, s]})
     # No number is enough: to say so by an exception is as right as to say so by infinity.
@@ -97,6 +112,17 @@ def ransac_line_cases(rng: np.random.Generator) -> list[Case]:
         _wall(rng, "outliers on one side only", 1.2, small, 1.0, far=30, sides=1, iterations=140),
         # 40 equal points, such as the robot's own bumper: a pair of them is no line.
         _wall(rng, "many points in one spot", -0.8, small, 1.0, far=0, spot=35, iterations=120),
+        _wall(
+            rng,
+            "two thirds are outliers, and come first",
+            2.0,
+            small,
+            1.0,
+            far=130,
+            iterations=320,
+            crowd=True,
+        ),
+        *(_wall_and_two_patches(rng) for _ in range(3)),
     ]
     exact = exact_wall(rng)
     cloud, threshold = cases[2]["args"][:2]
@@ -107,6 +133,11 @@ def ransac_line_cases(rng: np.random.Generator) -> list[Case]:
     cases += [
         # Nearer to each other than the threshold, and different all the same.
         {"name": "two points", "args": [np.vstack([spot[:1], beside]), 0.3, 3, seed_of(rng)]},
+        # A sample of two different points is a line the first time, whatever is drawn.
+        *(
+            {"name": "two points", "args": [rng.uniform(1, 3, (2, 2)), 0.1, 1, seed_of(rng)]}
+            for _ in range(10)
+        ),
         {"name": "a wall through the origin", "args": [through_origin, 0.05, 5, seed_of(rng)]},
         # A line is found only by a sample that holds the point elsewhere; it is level or upright.
         {
@@ -132,6 +163,7 @@ def ransac_line_cases(rng: np.random.Generator) -> list[Case]:
             "samples": (2, 30, 30),
         },
         {"name": "no iterations", "args": [cloud, threshold, 0, seed_of(rng)]},
+        {"name": "no iterations", "args": [exact, threshold, 0, seed_of(rng)]},
         {"name": "all points equal", "args": [spot, threshold, 8, seed_of(rng)]},
     ]
     return [{**public, "public": True}, *cases]
@@ -186,15 +218,16 @@ def _wall(
     spot: int = 0,
     iterations: int = 100,
     mixed: bool = False,
+    crowd: bool = False,
 ) -> Case:
-    """Return a case: 46 points along a wall of six times the scale, and outliers.
+    """Return a case: 46 or 56 points along a wall of six times the scale, and outliers.
 
-    They are shuffled, or evenly mixed.
+    They are shuffled, or evenly mixed, or a crowd of outliers comes first.
     """
     if isinstance(threshold, tuple):
         threshold = float(rng.uniform(*threshold))
-    r, count = rng.uniform(2.0, 4.0) * scale, 40
-    bulk, middle = across_the_wall(rng, threshold, count, sides=sides)
+    r, count = rng.uniform(2.0, 4.0) * scale, 50 if crowd else 40
+    bulk, middle = across_the_wall(rng, threshold, count, EXACT if crowd else STRICT, sides)
     others = far_away(rng, threshold, max(4.0 * scale, 30 * threshold), far, sides)
     positions = np.concatenate(
         [np.linspace(-3, 3, count), rng.uniform(-0.02, 0.02, len(middle)), rng.uniform(-3, 3, far)]
@@ -204,13 +237,34 @@ def _wall(
     points = np.vstack([points, np.tile([r + 1.5 * scale, 2.0 * scale], (spot, 1))])
     points = points @ axes_of(alpha)
     on_it = count + 2 * INSIDE
-    points = evenly_mixed(points[:on_it], points[on_it:]) if mixed else rng.permutation(points)
+    if crowd:
+        points = outliers_first(rng, points[:on_it], points[on_it:])
+    else:
+        points = evenly_mixed(points[:on_it], points[on_it:]) if mixed else rng.permutation(points)
     return {
         "name": name,
         "args": [points, threshold, iterations, seed_of(rng)],
         "draws": (iterations, math.inf),
         # In place of two equal points one may draw again.
         "samples": (2, iterations, math.inf if spot else iterations),
+    }
+
+
+def _wall_and_two_patches(rng: np.random.Generator) -> Case:
+    """Return a case: 29 points along a wall, and 28 in two patches on another line.
+
+    The wall has one point more, but hardly any two of its points have all others between them.
+    """
+    threshold, iterations = 0.02, 120
+    wall = np.column_stack([np.linspace(-3, 3, 29), np.full(29, 2.0)])
+    patches = np.repeat([[4.5, -1.0], [4.5, -3.0]], 14, axis=0)
+    patches = patches + rng.uniform(-0.3, 0.3, (28, 2)) * threshold
+    points = rng.permutation(np.vstack([wall, patches])) @ axes_of(rng.uniform(-3.0, 3.0))
+    return {
+        "name": "another line has its points in two patches",
+        "args": [points, threshold, iterations, seed_of(rng)],
+        "draws": (iterations, math.inf),
+        "samples": (2, iterations, iterations),
     }
 
 

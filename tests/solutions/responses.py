@@ -9,7 +9,7 @@ RIGHT = {
         """
 def f(descriptors, words):
     d2 = np.einsum("nkd,nkd->nk", descriptors[:, None] - words, descriptors[:, None] - words)
-    return d2.argmin(1).astype(np.uint8)
+    return d2.argmin(1).astype(np.uint16)
 """,
         """
 def f(descriptors, words):

@@ -1,6 +1,6 @@
 """No right response loses, no wrong one gets everything, under three seeds.
 
-The responses stand in `responses.py` and `responses_to_stubs.py`.
+The responses stand in `responses.py`, `responses_to_stubs.py` and `responses_from_prompts.py`.
 """
 
 import ast
@@ -9,6 +9,7 @@ import math
 import numpy as np
 import pytest
 import responses
+import responses_from_prompts
 import responses_to_stubs
 import sympy as sp
 from given import what_a_chapter_gives
@@ -25,7 +26,7 @@ from solutions.ransac.probabilities import required_iterations
 
 pytestmark = pytest.mark.long
 
-_SETS = (responses, responses_to_stubs)
+_SETS = (responses, responses_to_stubs, responses_from_prompts)
 RIGHT = {
     id: [c for one in _SETS for c in one.RIGHT.get(id, ())] for one in _SETS for id in one.RIGHT
 }
