@@ -88,7 +88,8 @@ def descend_tree_cases(rng: np.random.Generator) -> list[Case]:
     cases.append({"name": "one level only", "args": [centers[0][row] + 0.01, centers]})
     # Nearer by a few ten-thousandths, and last. Exact in float32 as well.
     shorter = np.outer([1.5, 1.0, 1 - 2.0**-12, 1 - 2.0**-11], rng.permutation([0.0, 1.0]))
-    nearly = [np.zeros(2), [shorter]]
+    place = rng.integers(1, 9, 2).astype(float)
+    nearly = [place, [place + shorter]]
     cases.append({"name": "centres at nearly the same distance", "args": nearly})
     halfway = rng.integers(-5, 5, 2).astype(float)
     tie = [halfway + np.array([[3.0, 0.0], [0.0, 3.0], [0.0, 9.0]]), rng.normal(size=(9, 2))]
