@@ -19,8 +19,8 @@ version = "0.1"
 
 [tool.autograder]
 notebook_seconds = 20
-cell_seconds = 3
-question_seconds = 3
+cell_seconds = 1
+question_seconds = 1
 memory_mb = 300
 """
 LEAK = "leaked-hidden-input"
