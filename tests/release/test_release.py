@@ -565,7 +565,7 @@ def test_what_is_submitted_there_is_marked_here_as_it_was_meant(orchard: Course,
         "def heaviest(weights):\n    return max(weights)\nprint(check('Q4', heaviest))",
         "print(submit())",
     ]
-    (tmp_path / "bundle/notebooks/1_orchard.ipynb").write_text(notebook(cells[:-1]))
+    (tmp_path / "bundle/notebooks/3_orchard.ipynb").write_text(notebook(cells[:-1]))
     said = run_in(tmp_path / "bundle", "\n".join(cells))
     assert "Q3 right" in said
     assert "Q4 right" in said
