@@ -137,7 +137,9 @@ def test_variants_of_a_question_that_is_not_there_are_an_error(toy, variants):
     toy.write_notebooks()
     (variants / "typed.toml").write_text('"Q9.9" = ["1"]')
     (problem,) = prove_course(toy.root)
-    assert problem == "solutions/variants/typed.toml has 'Q9.9', which is not a question."
+    assert (
+        problem == "solutions/variants/typed.toml, line 1: it has 'Q9.9', which is not a question."
+    )
 
 
 def test_a_declared_mutant_is_let_pass_and_a_stale_declaration_is_an_error(toy):
@@ -146,5 +148,6 @@ def test_a_declared_mutant_is_let_pass_and_a_stale_declaration_is_an_error(toy):
     toy.replace(ANSWERS, '["Q1.5"]\n', f'["Q1.5"]\n{stale}')
     found = prove_course(toy.root)
     assert found == [
-        "Q1.5: there is no mutant 'return 1 -> return 2'; correct or remove it in equivalent."
+        "Q1.5: there is no mutant 'return 1 -> return 2'; correct or remove it in equivalent "
+        "(solutions/answers/kitchen.toml, line 77)."
     ]

@@ -51,14 +51,14 @@ def test_the_command_says_sound_or_broken_and_exits_accordingly(toy, capsys):
 
 # What is found before anything runs: file, what stands there, what is put there, what is said.
 FOUND_IN_THE_FILES: dict[str, tuple[str, str, str, str]] = {
-    "a duplicate id": (QUESTIONS, 'id = "Q1.3"', 'id = "Q1.4"', "Two questions have the id Q1.4"),
+    "a duplicate id": (QUESTIONS, 'id = "Q1.3"', 'id = "Q1.4"', "two questions have this id"),
     "an empty hint": (QUESTIONS, '["Walk around it."]', '[""]', "'Q1.4'"),
     "a missing answer": (ANSWERS, '["Q1.1"]', '["Q1.9"]', "Q1."),
     "a backslash that TOML took": (
         QUESTIONS,
         '["Walk around it."]',
         '["Walk by $\\theta$."]',
-        "line 46: a text in double quotes reads \\t as a sign of its own: write \\\\theta with two",
+        "line 45: a text in double quotes reads \\t as a sign of its own: write \\\\theta with two",
     ),
     "a backslash that TOML took in the key": (
         ANSWERS,
@@ -237,7 +237,7 @@ LEAKS = {
     ),
     "why a statement is true": (MASTER, "numbers.", "That is why roads are salted.", "Q1.1"),
     "a number in a prompt": (QUESTIONS, "how many eggs?", "how many, if not 12?", "Q1.3"),
-    "a formula in a hint": (QUESTIONS, "Walk around it.", "Try 2*a + 2*b.", "Q1.4"),
+    "a formula in a prompt": (QUESTIONS, "given sides?", "given sides, not 2*a + 2*b?", "Q1.4"),
 }
 
 

@@ -209,7 +209,7 @@ def test_a_missing_file_of_answers_is_said(toy):
 
 def test_an_answer_that_is_missing_is_said(toy):
     (toy.root / "solutions/answers/cellar.toml").write_text("")
-    assert "Q2.1 has no answer; add one to solutions/answers/cellar.toml" in refusal(toy)
+    assert "line 4: it has no answer; add one to solutions/answers/cellar.toml" in refusal(toy)
 
 
 def test_an_answer_that_nobody_asked_for_is_said(toy):

@@ -356,4 +356,4 @@ def test_a_broken_course_exits_with_1(toy, tmp_path, monkeypatch, capsys, comman
     toy.replace("notebooks/questions/kitchen.toml", 'id = "Q1.3"', 'id = "Q1.4"')
     assert main(["--course", str(toy.root), *command]) == 1
     captured = capsys.readouterr()
-    assert "Two questions have the id Q1.4" in captured.err + captured.out
+    assert "two questions have this id" in captured.err + captured.out

@@ -290,7 +290,7 @@ def test_numbers_are_counted_in_round_ranges(patch: Path, numbers: list[int], ro
         ('id = "P1.3"\nprompt = "x"\nchoices = ["a", "a"]', "two different choices"),
         ('id = "P1.3"\nprompt = "x"\nbetween = [2, 1]', "must be below the second"),
         ('id = "P1.3"\nprompt = "x"\nbetween = [2]', "a list of 2"),
-        ('id = "P1.1"\nprompt = "x"\nbetween = [1, 2]', "Two predictions have the id P1.1"),
+        ('id = "P1.1"\nprompt = "x"\nbetween = [1, 2]', "two predictions have this id"),
         ('id = "X1"\nprompt = "x"\nbetween = [1, 2]', "id is 'X1'"),
         ('id = "P1.3"\nprompt = "x"\nbetween = [1, 2]\nanswer = 1', "unknown field 'answer'"),
     ],
