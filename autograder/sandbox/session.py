@@ -74,9 +74,9 @@ class Session:
     def run(self, cells: list[str], names: list[str]) -> Report:
         """Run the cells; ``names`` are the variables whose understood value is wanted.
 
-        Returns ``errors`` (the class of its exception, ``timeout``, ``killed`` or None, a cell),
-        ``responses`` (what ``ask(...).respond(...)`` recorded, by question) and ``understood`` (a
-        short text a name).
+        The report has ``errors`` (for each cell the class of its exception, ``timeout``, ``killed``
+        or None), ``responses`` (what ``ask(...).respond(...)`` recorded, by question) and
+        ``understood`` (a short text for each name).
 
         Raises:
             Stopped: if no run of the notebook came to its end.

@@ -102,7 +102,7 @@ OF_AUTHORS = {"answer.py", "question.py", "trial.py", "promises.py", "sensible.p
               "expected.py", "strict.py", "toml_lines.py", "written.py", "registry.py",
               "formula.py", "variables.py", "exercise.py", "draw.py", "marker.py",
               "marker_process.py", "take_snapshot.py", "reference_failures.py"}  # fmt: skip
-TO_AUTHORS = {"CourseError", "ValueError", "problems", "too_few_mistakes", "poor_draw",
+TO_AUTHORS = {"CourseError", "FieldError", "ValueError", "problems", "unsound", "too_few_mistakes", "poor_draw",
               "poor_value", "check_answer", "other_mistakes"}  # fmt: skip
 
 

@@ -47,9 +47,9 @@ def orchard_template(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture
 def orchard(orchard_template: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """The course with its key; responses go to a folder of the test's own.
+    """The folder of the test's own in which responses to the course, with its key, are kept.
 
-    Returns the folder of the responses. The course itself is shared, so that its marker is too.
+    The course itself is shared, so that its marker is too.
     """
     monkeypatch.setenv("AUTOGRADER_COURSE", str(orchard_template))
     monkeypatch.setenv("AUTOGRADER_RESPONSES", str(tmp_path / "responses"))
