@@ -254,9 +254,9 @@ class Course:
 
     @cached_property
     def version(self) -> str:
-        """A fingerprint of everything that can change a mark: the key, what student code finds
-        around it, the limits on it, and the autograder.
+        """A fingerprint of everything that can change a mark.
 
+        That is the key, what student code finds around it, the limits on it, and the autograder.
         Of files only the contents count, since a fresh checkout has other times; of a large one,
         which no course has so far, the size and the ends.
         """

@@ -357,8 +357,9 @@ class _GivenUp(Late):
 
 @dataclass
 class _Limit:
-    """Seconds of the child's own time; before ``due`` they cannot have passed, if it is one process
-    that sleeps or works.
+    """Seconds of the child's own time.
+
+    Before ``due`` they cannot have passed, if it is one process that sleeps or works.
     """
 
     seconds: float

@@ -102,8 +102,8 @@ OF_AUTHORS = {"answer.py", "question.py", "trial.py", "promises.py", "sensible.p
               "expected.py", "strict.py", "toml_lines.py", "written.py", "registry.py",
               "formula.py", "variables.py", "exercise.py", "draw.py", "marker.py",
               "marker_process.py", "take_snapshot.py", "reference_failures.py"}  # fmt: skip
-TO_AUTHORS = {"CourseError", "FieldError", "ValueError", "problems", "unsound", "too_few_mistakes", "poor_draw",
-              "poor_value", "check_answer", "other_mistakes"}  # fmt: skip
+TO_AUTHORS = {"CourseError", "FieldError", "ValueError", "problems", "unsound", "poor_draw",
+              "poor_value", "too_few_mistakes", "check_answer", "other_mistakes"}  # fmt: skip
 
 
 def bare_sentences(tree: ast.AST, finds: re.Pattern[str]) -> list[str]:
