@@ -37,6 +37,7 @@ class Outcome(TypedDict, total=False):
     unusable: str
     changed: bool  # an argument, in place
     drawn: int  # numbers taken from a generator
+    sampled: list[int]  # the size and the number of the samples, if nothing else was taken
 
 
 class Evaluation(TypedDict):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import builtins
 import re
+from typing import TypeGuard
 
 import numpy as np
 
@@ -91,12 +92,14 @@ def clean_text(text: object, limit: int = _MAX_TEXT) -> str:
 def _outcome(entry: object) -> Outcome:
     entry = _dictionary(entry)
     if "value" in entry:
-        if entry.keys() <= {"value", "changed", "drawn"} and _is_bounded(entry["value"]):
+        if entry.keys() <= {"value", "changed", "drawn", "sampled"} and _is_bounded(entry["value"]):
             clean: Outcome = {"value": entry["value"]}
             if "changed" in entry:
                 clean["changed"] = True
             if type(entry.get("drawn")) is int:
                 clean["drawn"] = entry["drawn"]
+            if _is_pair_of_counts(sampled := entry.get("sampled")):
+                clean["sampled"] = sampled
             return clean
     elif len(entry) == 1:
         ((kind, value),) = entry.items()
@@ -105,6 +108,10 @@ def _outcome(entry: object) -> Outcome:
         if kind == "unusable" and _is_reason(value):
             return {"unusable": value}
     return {"unusable": "not plain"}
+
+
+def _is_pair_of_counts(value: object) -> TypeGuard[list[int]]:
+    return type(value) is list and len(value) == 2 and all(type(count) is int for count in value)
 
 
 def _is_bounded(value: object) -> bool:

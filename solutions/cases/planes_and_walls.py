@@ -59,11 +59,13 @@ def ransac_plane_cases(rng: np.random.Generator) -> list[Case]:
             "name": "no outliers, one iteration",
             "args": [_exact_plane(rng), threshold, 1, seed_of(rng)],
             "draws": (1, 30),
+            "samples": (3, 1, 1),
         },
         {
             "name": "no outliers, thirty iterations",
             "args": [_exact_plane(rng), threshold, 30, seed_of(rng)],
             "draws": (30, 30 * 30),  # a sample may be the head of a permutation
+            "samples": (3, 30, 30),
         },
         {"name": "no iterations", "args": [cloud, threshold, 0, seed_of(rng)]},
         {
@@ -120,6 +122,7 @@ def find_walls_cases(rng: np.random.Generator) -> list[Case]:
         _room(rng, "people between two walls", (60, 40), 22, small, 1.0, clutter=16),
         _room(rng, "nothing but people", (), 12, small, 1.0, clutter=14),
     ]
+    cases.append(_crossing_walls(rng))
     wall = exact_wall(rng)
     threshold = cases[0]["args"][1]
     along = (wall[1] - wall[0]) / np.linalg.norm(wall[1] - wall[0])
@@ -132,16 +135,19 @@ def find_walls_cases(rng: np.random.Generator) -> list[Case]:
             "name": "one wall and nothing else",
             "args": [wall, threshold, 1, len(wall), seed_of(rng)],
             "draws": (1, 4 * len(wall)),
+            "samples": (2, 1, 1),
         },
         {
             "name": "one wall and one more point",
             "args": [np.vstack([wall, pair[:1]]), threshold, 12, len(wall), seed_of(rng)],
             "draws": (12, math.inf),
+            "samples": (2, 12, 12),
         },
         {
             "name": "walls of two points",
             "args": [np.vstack([pair, wall]), threshold, 60, 2, seed_of(rng)],
             "draws": (60, math.inf),
+            "samples": (2, 2 * 60, 2 * 60),
         },
         # No sample of what is left gives a line. That `ransac_line` raises then need not be caught.
         {
@@ -222,6 +228,8 @@ def _plane(
         "name": name,
         "args": [points, threshold, iterations, seed_of(rng)],
         "draws": (iterations, math.inf),
+        # In place of three equal points, or three on one line, one may draw again.
+        "samples": (3, iterations, math.inf if spot else iterations),
     }
 
 
@@ -266,14 +274,39 @@ def _room(
     if corner:
         near = distance + 0.05 * threshold * rng.uniform(-1, 1, (corner, 2))
         parts.append(near @ axes_of(tilt))
+    points = rng.permutation(np.vstack(parts))
+    walls = [count for count in counts if count >= min_points]
+    left = len(points) - sum(walls)
     return {
         "name": name,
-        "args": [
-            rng.permutation(np.vstack(parts)),
-            threshold,
-            iterations,
-            min_points,
-            seed_of(rng),
-        ],
+        "args": [points, threshold, iterations, min_points, seed_of(rng)],
         "draws": (iterations * max(1, len(counts)), math.inf),
+        # Whether one searches among fewer points than a wall has makes no difference.
+        "samples": (
+            2,
+            iterations * (len(walls) + (left >= min_points)),
+            iterations * (len(walls) + (left >= 2)),
+        ),
+    }
+
+
+def _crossing_walls(rng: np.random.Generator) -> Case:
+    """Return a case: two walls that cross, exactly along the axes.
+
+    The first takes one point of the second. The two points just beyond its band are needed for
+    the second to have enough. Many points have the same x or the same y, so none can be known by
+    one of them.
+    """
+    threshold, crossing, iterations = 0.25, 8.0 * rng.integers(-1, 2), 60
+    first = np.column_stack([np.arange(-12.0, 13.0), np.zeros(25)])
+    away = threshold * np.array([1.25, 12.0, 20.0, 28.0])  # exact in float32 as well
+    second = np.concatenate([-away, [0.0], away])
+    second = np.column_stack([np.full(len(second), crossing), second])
+    second = second[second[:, 1] != 0]  # the first has a point there
+    points = rng.permutation(np.vstack([first, second])) + rng.integers(15, 25, 2)
+    return {
+        "name": "walls that cross",
+        "args": [points[:, rng.permutation(2)], threshold, iterations, len(second), seed_of(rng)],
+        "draws": (2 * iterations, math.inf),
+        "samples": (2, 2 * iterations, 2 * iterations),
     }

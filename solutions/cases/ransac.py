@@ -123,11 +123,13 @@ def ransac_line_cases(rng: np.random.Generator) -> list[Case]:
             "name": "no outliers, one iteration",
             "args": [exact, threshold, 1, seed_of(rng)],
             "draws": (1, 4 * len(exact)),
+            "samples": (2, 1, 1),
         },
         {
             "name": "no outliers, thirty iterations",
             "args": [exact, threshold, 30, seed_of(rng)],
             "draws": (30, 30 * 4 * len(exact)),  # a sample may be the head of a permutation
+            "samples": (2, 30, 30),
         },
         {"name": "no iterations", "args": [cloud, threshold, 0, seed_of(rng)]},
         {"name": "all points equal", "args": [spot, threshold, 8, seed_of(rng)]},
@@ -207,6 +209,8 @@ def _wall(
         "name": name,
         "args": [points, threshold, iterations, seed_of(rng)],
         "draws": (iterations, math.inf),
+        # In place of two equal points one may draw again.
+        "samples": (2, iterations, math.inf if spot else iterations),
     }
 
 

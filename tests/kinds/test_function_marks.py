@@ -391,8 +391,10 @@ def test_what_was_changed_or_drawn_has_to_be_as_in_the_right_outcome():
         )
     drawn = {"value": 1.0, "drawn": 1}
     assert not agrees(close, {"draws": (0, 5)}, drawn, {"value": 1.0, "drawn": True})
-    # A reference that draws otherwise than its case says is met by what does the same.
-    assert agrees(close, case, {"value": 1.0, "drawn": 9}, {"value": 1.0, "drawn": 2})
+    # A mistake that draws otherwise than its case says is met by what does the same.
+    too_many = {"value": 1.0, "drawn": 9}
+    assert agrees(close, case, too_many, {"value": 1.0, "drawn": 7})
+    assert not agrees(close, case, too_many, {"value": 1.0, "drawn": 2})
 
 
 def test_an_exception_that_may_be_raised_is_the_one_that_is_named_or_a_more_special_one():

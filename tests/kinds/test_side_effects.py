@@ -73,6 +73,27 @@ def test_counted_draws_are_those_of_the_usual_generator():
     assert counted.drawn == 16
 
 
+@pytest.mark.parametrize(
+    ("draw", "sampled"),
+    [
+        (lambda rng: rng.choice(9, size=2, replace=False), (2, 4)),
+        (lambda rng: rng.choice(np.zeros((9, 2)), (2,), False, shuffle=False), (2, 4)),
+        (lambda rng: rng.choice(9, 3, replace=False, p=np.full(9, 1 / 9)), (3, 4)),
+        (lambda rng: rng.choice(9, size=2), None),  # the two may be equal
+        (lambda rng: rng.choice(9, replace=False), None),
+        (lambda rng: (rng.choice(9, 2, replace=False), rng.choice(9, 3, replace=False)), None),
+        (lambda rng: (rng.choice(9, 2, replace=False), rng.integers(9)), None),
+        (lambda rng: rng.permutation(9)[:2], None),
+        (lambda rng: None, None),
+    ],
+)
+def test_samples_are_counted_where_nothing_else_is_drawn(draw, sampled):
+    counted = CountedDraws(3)
+    for _ in range(4):
+        draw(counted)
+    assert counted.sampled == sampled
+
+
 def draws(count):
     def function(rng):
         for _ in range(count):
@@ -85,13 +106,37 @@ def draws(count):
 def test_a_function_that_does_not_draw_as_asked_is_wrong_whatever_it_returns():
     case = {"draws": (10, 40)}
     reference = draws(10)
-    assert reference == {"value": 1.0, "drawn": 20}
+    assert reference == {"value": 1.0, "drawn": 20, "sampled": [2, 10]}
     assert right(case, reference, draws(5))
     assert not right(case, reference, draws(4))
     assert not right(case, reference, draws(21))
     assert not right(case, reference, outcome(lambda rng: 1.0, {"rng": 5}))
     assert not right(case, reference, {"value": 1.0})
     assert right({}, reference, draws(4))  # nothing is asked here
+
+
+def by_numbers(rng):
+    for _ in range(40):
+        rng.integers(9)
+    return 1.0
+
+
+def test_twice_as_many_samples_are_wrong_and_twice_as_many_numbers_are_not():
+    case = {"draws": (10, 90), "samples": (2, 10, 10)}
+    reference = draws(10)
+    assert right(case, reference, outcome(by_numbers, {"rng": 5}))
+    for count in (5, 9, 11, 20):
+        assert not right(case, reference, draws(count))
+    # Too many are another mistake than too few.
+    assert right(case, draws(20), draws(40))
+    assert not right(case, draws(20), draws(5))
+
+
+@pytest.mark.parametrize("sampled", [None, 20, [2], [2, 10, 1], [2, "10"], [2, True], {2: 10}])
+def test_forged_samples_are_none(sampled):
+    entry = {"value": 1.0, "drawn": 20, "sampled": sampled}
+    (cleaned,) = clean_evaluation({"state": "given", "outcomes": [entry]})["outcomes"]
+    assert cleaned == {"value": 1.0, "drawn": 20}
 
 
 @pytest.mark.parametrize("drawn", [None, "20", 20.0, True, [20], np.array([20])])

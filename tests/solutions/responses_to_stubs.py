@@ -772,6 +772,8 @@ _EQUAL = "(points[pair[0]] == points[pair[1]]).all()"
 _OFF = "np.abs(distances(points, line)) <= threshold"
 _TRIPLE = "rng.choice(len(points), size=3, replace=False)"
 _BAND = "np.abs((points - a) @ (n/length)) <= threshold"
+_TAKEN = "left[np.abs(distances(points[left], line)) > {} * threshold]"
+_LOOKED_UP = "[points[:, {0}].tolist().index(one[{0}]) for one in points[left[inliers]]]"
 _LOOP = "range(iterations)"
 _BETTER = "len(inliers) > len(best)"
 _NO_LINE, _NO_PLANE = 'raise ValueError("no line")', 'raise ValueError("no plane")'
@@ -838,6 +840,8 @@ CHANGES: dict[str, list[_Pairs]] = {
         [(_LOOP, "range(min(iterations, 50))")],
         [(_LOOP, "range(iterations - 1)")],
         [(_LOOP, "range(iterations + 1)")],
+        [(_LOOP, "range(2 * iterations)")],
+        [(_LOOP, "range(iterations // 2)")],
         [(_CHOICE, "np.random.choice(len(points), size=2, replace=False)")],
         [(_CHOICE, "rng.choice(len(points) - 1, size=2, replace=False)")],
         [(_CHOICE, "rng.choice(len(points) // 2, size=2, replace=False)")],
@@ -894,6 +898,8 @@ CHANGES: dict[str, list[_Pairs]] = {
         ],
     ],
     "Q3.5": [
+        [(_LOOP, "range(2 * iterations)")],
+        [(_LOOP, "range(iterations // 2)")],
         [(_BAND, "np.abs((points - a) @ n) <= threshold")],
         [(_BAND, "np.abs((points - a) @ n) <= threshold * length**2")],
         [(_BAND, "(points - a) @ (n/length) <= threshold")],
@@ -970,6 +976,14 @@ CHANGES: dict[str, list[_Pairs]] = {
         [("threshold, iterations, rng", "0.1, iterations, rng")],
         [("threshold, iterations, rng", "threshold, 100, rng")],
         [("threshold, iterations, rng", "threshold, 5, rng")],
+        [("threshold, iterations, rng", "threshold, 2 * iterations, rng")],
+        [("threshold, iterations, rng", "threshold, iterations - bool(walls), rng")],
+        [("threshold, iterations, rng", "threshold, iterations // (len(walls) + 1), rng")],
+        [("threshold, iterations, rng", "threshold, iterations * len(left) // len(points), rng")],
+        [("np.delete(left, inliers)", _TAKEN.format(2))],
+        [("np.delete(left, inliers)", _TAKEN.format(1.3))],
+        [("left[inliers]", _LOOKED_UP.format(0))],
+        [("left[inliers]", _LOOKED_UP.format(1))],
         [("threshold, iterations, rng", "threshold, iterations, np.random.default_rng(0)")],
         [
             (

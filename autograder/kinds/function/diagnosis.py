@@ -202,7 +202,7 @@ def _right_but(
             "changes its input",
             looks_as_if(_("the values are right, but the input is changed in place: use a copy")),
         )
-    if all("draws" in cases[i] and "changed" not in outcomes[i] for i in wrong):
+    if all({"draws", "samples"} & set(cases[i]) and "changed" not in outcomes[i] for i in wrong):
         return Diagnosis(
             "other number of draws",
             looks_as_if(

@@ -20,7 +20,7 @@ from autograder.questions.drawn import Drawn
 from autograder.questions.strict import meant
 from autograder.sandbox.inside.evaluate import evaluate
 
-_OF_A_CASE = ("name", "args", "kwargs", "public", "draws", "may_raise")
+_OF_A_CASE = ("name", "args", "kwargs", "public", "draws", "samples", "may_raise")
 
 
 def draw(

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
 
 import numpy as np
 
 from autograder.exchange.messages import Values
 from autograder.exchange.reasons import REASONS
+from autograder.kinds.function.draws import other_draws, other_samples
 from autograder.kinds.function.question import Function
 from autograder.language import _
 
@@ -56,25 +56,15 @@ def hint(question: Function, case: Values, expected: Mapping[str, object], outco
         gave = _("{call} gives {value}; expected is {right}.")
         fields["value"] = _shown(outcome["value"])
         # Where the value is as it should be, something else is not.
-        if "value" in expected and (asked := _other_draws(case, outcome)):
+        if "value" in expected and (asked := other_draws(case, outcome)):
             gave = _("{call} gives {value} and draws {count} random numbers; expected is {right}.")
             fields["count"], right = outcome["drawn"], asked
+        elif "value" in expected and (asked := other_samples(case, outcome)):
+            gave = _("{call} gives {value} and draws {count} samples; expected is {right}.")
+            fields["count"], right = outcome["sampled"][1], asked
         elif "changed" in outcome and "changed" not in expected:
             gave = _("{call} gives {value} and changes its input; expected is {right}.")
     return gave.format(call=call, right=right, **fields)
-
-
-def _other_draws(case: Values, outcome: Mapping[str, object]) -> str:
-    """How many numbers a function should draw with the generator it was given, if it does not."""
-    drawn = outcome.get("drawn")
-    if "draws" not in case or not isinstance(drawn, int):
-        return ""
-    low, high = case["draws"]
-    if low <= drawn <= high:
-        return ""
-    if math.isinf(high):
-        return _("{low} or more").format(low=low)
-    return _("at least {low} and at most {high}").format(low=low, high=high)
 
 
 def _entry(value: object) -> str:

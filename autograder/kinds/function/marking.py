@@ -17,6 +17,7 @@ from autograder.exchange.reasons import REASONS
 from autograder.kinds.function.answer import FunctionAlternative, FunctionAnswer
 from autograder.kinds.function.credit import partial_credit
 from autograder.kinds.function.diagnosis import diagnose_function
+from autograder.kinds.function.draws import drew
 from autograder.kinds.function.hints import hints
 from autograder.kinds.function.question import Function
 from autograder.kinds.function.shown import shown_outcome
@@ -41,8 +42,8 @@ class Expected:
     """What the trusted side knows of a function question: cases and their right outcomes.
 
     An outcome is ``{"value": ...}``, ``{"raised": class}`` or ``{"unusable": reason}``. A value
-    may come with ``"changed"``, if an input was changed in place, and with ``"drawn"``, how many
-    random numbers were taken.
+    may come with ``"changed"``, if an input was changed in place, with ``"drawn"``, how many
+    random numbers were taken, and with ``"sampled"``, the size and the number of the samples.
     """
 
     cases: Sequence[dict[str, Value]]
@@ -229,7 +230,7 @@ def agrees(compare: Compare, case: dict[str, object], expected: Outcome, actual:
             return True
         if "value" not in actual or ("changed" in actual) != ("changed" in expected):
             return False
-        if _drew_as_asked(case, actual) != _drew_as_asked(case, expected):
+        if drew(case, actual) != drew(case, expected):
             return False
         return bool(compare(case, expected["value"], actual["value"]))
     except Exception:
@@ -248,15 +249,6 @@ def _same_failure(expected: Outcome, actual: dict[str, object]) -> bool:
     if isinstance(kind, type) and isinstance(general, type):
         return issubclass(kind, general)
     return given == right
-
-
-def _drew_as_asked(case: dict[str, Value], outcome: dict[str, object]) -> bool:
-    """Whether as many random numbers were taken as the case says, the ends of "draws" included."""
-    if "draws" not in case:
-        return True
-    low, high = case["draws"]
-    drawn = outcome.get("drawn")
-    return type(drawn) is int and low <= drawn <= high
 
 
 def close(case: dict[str, object], expected: object, actual: object) -> bool:

@@ -18,7 +18,8 @@ def evaluate(response: object, probe: Message) -> Message:
     """One outcome a case: {"value": ..}, {"unusable": reason} or {"raised": class}.
 
     With a value comes "changed": true if an argument was changed in place, and "drawn", how many
-    random numbers were taken, if an argument was a generator of them.
+    random numbers were taken, if an argument was a generator of them; "sampled" is the size and the
+    number of the samples, where only such were taken.
 
     Raises:
         Unusable: if the response is no function.
@@ -44,6 +45,8 @@ def evaluate(response: object, probe: Message) -> Message:
             generators = [value for value in given if isinstance(value, CountedDraws)]
             if generators:
                 outcome["drawn"] = sum(generator.drawn for generator in generators)
+            if len(generators) == 1 and generators[0].sampled:
+                outcome["sampled"] = list(generators[0].sampled)
             outcomes.append(outcome)
         except NotImplementedError:
             raise
