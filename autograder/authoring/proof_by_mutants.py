@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
+from autograder.authoring.at_key import with_line
 from autograder.authoring.findings import Findings, Survivor
 from autograder.authoring.mutation import try_all
 from autograder.course import Course
@@ -77,9 +78,10 @@ def _mutants(course: Course, question: Question, findings: Findings) -> Iterator
         if any(_means(name, other) for other in surviving):
             continue
         if any(_means(name, other) for other in findings.names):
-            yield f"the mutant {name!r} is told apart by the cases; remove it from equivalent."
+            problem = f"the mutant {name!r} is told apart by the cases; remove it from equivalent."
         else:
-            yield f"there is no mutant {name!r}; correct or remove it in equivalent."
+            problem = f"there is no mutant {name!r}; correct or remove it in equivalent."
+        yield with_line(course, question, problem)
 
 
 def _means(declared: str, name: str) -> bool:

@@ -5,10 +5,10 @@ from __future__ import annotations
 import re
 
 import pytest
-from tiny_course import TinyCourse
 
 from autograder.authoring.proof import prove_course
 from autograder.errors import CourseError
+from tests.toy import Toy
 
 QUESTIONS = "notebooks/questions/kitchen.toml"
 ANSWERS = "solutions/answers/kitchen.toml"
@@ -124,15 +124,15 @@ CARELESS: dict[str, tuple[str, str, str, str]] = {
 
 
 @pytest.mark.parametrize("slip", CARELESS)
-def test_a_slip_is_told_with_what_to_write(tiny_course: TinyCourse, slip: str):
+def test_a_slip_is_told_with_what_to_write(toy: Toy, slip: str):
     file, old, new, said = CARELESS[slip]
-    before = (tiny_course.root / file).read_text().splitlines()
-    tiny_course.replace(file, old, new)
-    after = (tiny_course.root / file).read_text().splitlines()
+    before = (toy.root / file).read_text().splitlines()
+    toy.replace(file, old, new)
+    after = (toy.root / file).read_text().splitlines()
     line = next(n for n, (a, b) in enumerate(zip(before, after, strict=False), 1) if a != b)
     said = said.replace("LINE", str(line)).replace("BEFORE", str(line - 1))
     try:
-        (problem,) = prove_course(tiny_course.root, mutants=False)
+        (problem,) = prove_course(toy.root, mutants=False)
     except CourseError as error:
         problem = str(error)
     assert re.search(re.escape(said).replace(r"\.\*", ".*"), problem), problem

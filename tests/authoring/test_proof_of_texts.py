@@ -5,9 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from tiny_course import TinyCourse, make_tiny_course
 
 from autograder.authoring.proof_of_texts import prove_texts
+from tests.toy import Toy, make_toy
 
 QUESTIONS = "notebooks/questions/kitchen.toml"
 PROMPT = '"Three boxes of four eggs: how many eggs?"'
@@ -15,10 +15,10 @@ VARIABLES = 'integer = true\nvariables = {boxes = [3, 5], share = [0.5, 0.25]}\n
 
 
 @pytest.fixture
-def eggs(tmp_path: Path) -> TinyCourse:
-    tiny = make_tiny_course(tmp_path / "course")
-    tiny.replace(QUESTIONS, 'integer = true\nunit = "eggs"', VARIABLES)
-    return tiny
+def eggs(tmp_path: Path) -> Toy:
+    toy = make_toy(tmp_path / "course")
+    toy.replace(QUESTIONS, 'integer = true\nunit = "eggs"', VARIABLES)
+    return toy
 
 
 @pytest.mark.parametrize(

@@ -77,8 +77,8 @@ def test_the_files_of_this_course_are_up_to_date():
         assert (ROOT / name).read_text(encoding="utf-8") == text, f"run autograder schema: {name}"
 
 
-def test_the_command_writes_them_and_says_when_they_are_old(tiny_course, capsys):
-    root = str(tiny_course.root)
+def test_the_command_writes_them_and_says_when_they_are_old(toy, capsys):
+    root = str(toy.root)
     assert main(["--course", root, "schema", "--check"]) == 1
     assert "Run autograder schema" in capsys.readouterr().out
     assert main(["--course", root, "schema"]) == 0

@@ -7,13 +7,13 @@ import pytest
 import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from tiny_course import TinyCourse, make_tiny_course
 
 from autograder.kinds.expression.answer import ExpressionAlternative
 from autograder.kinds.expression.marking import POINT_COUNT, matches
 from autograder.marking import Mark
 from autograder.marking.marker import Marker
 from autograder.sandbox.inside.evaluate import evaluate
+from tests.toy import Toy, make_toy
 
 NAMES = "r alpha N x_c y_c sum_x sum_y S_xx S_yy S_xy w"
 
@@ -171,8 +171,8 @@ def test_a_result_that_still_depends_on_r_is_told_so(marker):
         (None, "not a sympy expression"),
     ],
 )
-def test_what_is_no_expression_is_wrong_and_told_why(tiny_course, response, said):
-    verdict = mark(Marker(tiny_course.load(), seed=1), "Q1.4", response)
+def test_what_is_no_expression_is_wrong_and_told_why(toy, response, said):
+    verdict = mark(Marker(toy.load(), seed=1), "Q1.4", response)
     assert (verdict.status, verdict.alternative) == ("wrong", "not usable")
     assert said in verdict.feedback
 
@@ -203,21 +203,19 @@ A, B, HALF = sp.symbols("a b half")
         (sp.Integral(4 * sp.Symbol("x"), (sp.Symbol("x"), 0, 1)) * HALF, "right", 1, "right"),
     ],
 )
-def test_statuses_and_credits_of_the_tiny_course(
-    tiny_course, response, status, credit, alternative
-):
-    verdict = mark(Marker(tiny_course.load(), seed=1), "Q1.4", response)
+def test_statuses_and_credits_of_the_toy_course(toy, response, status, credit, alternative):
+    verdict = mark(Marker(toy.load(), seed=1), "Q1.4", response)
     assert (verdict.status, verdict.credit, verdict.alternative) == (status, credit, alternative)
     assert verdict.points == 4 * credit
 
 
-def test_a_stub_is_not_attempted(tiny_course):
-    assert mark(Marker(tiny_course.load(), seed=1), "Q1.4", ...).status == "not attempted"
+def test_a_stub_is_not_attempted(toy):
+    assert mark(Marker(toy.load(), seed=1), "Q1.4", ...).status == "not attempted"
 
 
-def test_no_answer_is_in_what_is_sent(tiny_course):
+def test_no_answer_is_in_what_is_sent(toy):
     """Points only: the values of the right expression stay on the trusted side."""
-    sent = Marker(tiny_course.load(), seed=1).drawn("Q1.4").probe
+    sent = Marker(toy.load(), seed=1).drawn("Q1.4").probe
     assert sent.keys() == {"kind", "points"}
     assert sent["points"].keys() == {"a", "b", "half"}
 
@@ -238,8 +236,8 @@ def test_equal_polynomials_match_and_different_ones_do_not(rim_course, seed, num
 
 
 @pytest.fixture(scope="module")
-def rim_course(tmp_path_factory) -> TinyCourse:
-    return make_tiny_course(tmp_path_factory.mktemp("course"))
+def rim_course(tmp_path_factory) -> Toy:
+    return make_toy(tmp_path_factory.mktemp("course"))
 
 
 def alternative(expression: str, modulo: str | None = None) -> ExpressionAlternative:

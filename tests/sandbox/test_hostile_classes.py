@@ -7,7 +7,7 @@ import zipfile
 from pathlib import Path
 
 import pytest
-from small_course import tree
+from attacks import tree
 
 from autograder.cli import main
 from tests.classroom import RIGHT, START, hand_in, make_course, notebook
@@ -91,9 +91,9 @@ def graded(tmp_path_factory) -> Path:
     (work / "empty.zip").write_bytes(b"")
     (work / "list.ipynb").write_text("[]")
     with zipfile.ZipFile(work / "bomb.zip", "w", zipfile.ZIP_DEFLATED) as archive:
-        archive.writestr("1_orchard.ipynb", b" " * 40_000_000)
+        archive.writestr("3_orchard.ipynb", b" " * 40_000_000)
     with zipfile.ZipFile(work / "outside.zip", "w") as archive:
-        archive.writestr("../../1_orchard.ipynb", notebook([START, *RIGHT.values()]))
+        archive.writestr("../../3_orchard.ipynb", notebook([START, *RIGHT.values()]))
     before = tree(root / "course")
     arguments = ["grade", str(work), "--out", str(root / "grades"), "--seed", "3", "--jobs", "2"]
     with pytest.MonkeyPatch.context() as patch:

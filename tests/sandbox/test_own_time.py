@@ -7,7 +7,7 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 
 import pytest
-from small_course import LIMITS, asked
+from attacks import LIMITS, asked
 
 from autograder.sandbox.launcher import Stopped
 from autograder.sandbox.own_time import OwnTime

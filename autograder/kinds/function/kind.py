@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from autograder.course.loading import load_object
+from autograder.course.loading import load_object, place_of
 from autograder.exchange.messages import Value
 from autograder.kinds.function import snapshot as examples
 from autograder.kinds.function.answer import FunctionAnswer
@@ -120,7 +120,13 @@ class FunctionKind(CodeKind[Function, FunctionAnswer]):
     def unsound(
         self, question: Function, answer: FunctionAnswer, drawn: Drawn, root: Path
     ) -> Iterator[str]:
-        return reference_failures(load_object(answer.reference, root), drawn.expected)
+        yield from reference_failures(load_object(answer.reference, root), drawn.expected)
+        if not any(case.get("public") for case in drawn.expected.cases):
+            yield (
+                f"no case of '{answer.cases}'{place_of(load_object(answer.cases, root), root)} is "
+                "public, so students see no example of their own before they hand in; write "
+                '"public": True into one.'
+            )
 
     def response_like(self, question: Function, alternative: Alternative, drawn: Drawn) -> object:
         outcomes = {entry.name: found for entry, found in drawn.expected.mistakes}
