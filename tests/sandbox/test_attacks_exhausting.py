@@ -1,9 +1,8 @@
 """Attempts to use everything up: memory, processes, files, output."""
 
-from dataclasses import replace
-
 import pytest
 from attacks import LIMITS
+from msgspec.structs import replace
 
 from autograder.sandbox.session import Session
 
