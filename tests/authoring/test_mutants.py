@@ -1,9 +1,11 @@
 """Mutants: which changes are made of what is right, and what `autograder check` says of them."""
 
 import ast
+import time
 
 import pytest
 
+from autograder.authoring import job_processes
 from autograder.authoring.proof import prove_course
 from autograder.authoring.proof_by_mutants import prove_by_mutants, tried_styles
 from autograder.mutants.edits import edited
@@ -123,6 +125,24 @@ def test_a_variant_that_never_ends_is_told_and_does_not_hold_up_the_others(toy, 
         stream.write("\ndef slow(weights):\n    while True:\n        pass\n")
     (problem,) = prove_by_mutants(toy.load())
     assert "the variant slow must earn everything, but with seed 1 it takes more than" in problem
+
+
+def test_a_job_that_waits_for_a_processor_is_not_taken_for_one_that_never_ends(toy, monkeypatch):
+    def seen(used: float, could_run: bool) -> None:
+        monkeypatch.setattr(job_processes, "_looked_at", lambda process: (used, could_run))
+
+    seen(3.0, could_run=True)
+    process = job_processes._Process(toy.root)
+    try:
+        time.sleep(0.05)
+        assert process.had() == 0.0
+        seen(5.0, could_run=True)
+        assert process.had() == 2.0
+        seen(5.0, could_run=False)
+        time.sleep(0.05)
+        assert process.had() >= 2.05
+    finally:
+        process.end()
 
 
 def test_too_few_styles_and_files_for_no_question_are_told(toy, variants):
