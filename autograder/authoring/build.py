@@ -208,6 +208,8 @@ def _execute(notebook: Any, course: Course, master: Master) -> None:
             "AUTOGRADER_RESPONSES": responses,
             "AUTOGRADER_WIDGETS": "0",  # even if this runs inside of a notebook
             BUILDING: "1",
+            # Or the kernel's debugger warns on some Pythons that it was not told of their modules.
+            "PYDEVD_DISABLE_FILE_VALIDATION": "1",
         }
         client = NotebookClient(
             notebook,
