@@ -202,14 +202,14 @@ def _execute(notebook: Any, course: Course, master: Master) -> None:
     folder = course.root / SOLVED
     folder.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as responses:
+        # Some ipykernels bring a debugger along, which warns of how newer Pythons are built.
+        os.environ.setdefault("PYDEVD_DISABLE_FILE_VALIDATION", "1")
         # Responses of the author's own must neither be read nor overwritten.
         environment = {
             **os.environ,
             "AUTOGRADER_RESPONSES": responses,
             "AUTOGRADER_WIDGETS": "0",  # even if this runs inside of a notebook
             BUILDING: "1",
-            # Or the kernel's debugger warns on some Pythons that it was not told of their modules.
-            "PYDEVD_DISABLE_FILE_VALIDATION": "1",
         }
         client = NotebookClient(
             notebook,
