@@ -36,7 +36,7 @@ def draw(
         CourseError: if one of them cannot be loaded or run, or the cases are malformed.
     """
     cases = load_object(answer.cases, root)(rng)
-    _check_cases(question, cases)
+    check_cases(question, cases)
     sent = {**base, "cases": [{"args": c["args"], "kwargs": c.get("kwargs", {})} for c in cases]}
     reference = load_object(answer.reference, root)
     compare = load_object(answer.compare, root) if answer.compare else close
@@ -107,7 +107,7 @@ def _outcomes(dotted_name: str, sent: dict[str, object], root: Path) -> list[dic
     return list(reply["outcomes"])
 
 
-def _check_cases(question: Function, cases: object) -> None:
+def check_cases(question: Function, cases: object) -> None:
     """Whether cases are a list of dictionaries that hold what a case may hold.
 
     Raises:
@@ -135,4 +135,14 @@ def _problem_of_case(case: object) -> str:
         return 'it needs a "name", a text that says what kind of input it is'
     if not isinstance(case.get("args"), list):
         return 'it needs "args", the list of the arguments: [12.0] where there is one'
+    for key, counts in (("draws", 2), ("samples", 3)):
+        if key in case and not _are_counts(case[key], counts):
+            pattern = "(low, high)" if key == "draws" else "(2, low, high) for samples of two"
+            return f'"{key}" must be {pattern}, not {case[key]!r}'
     return ""
+
+
+def _are_counts(value: object, length: int) -> bool:
+    if not isinstance(value, tuple | list) or len(value) != length:
+        return False
+    return all(isinstance(count, int | float | np.number) for count in value)
