@@ -74,6 +74,23 @@ def test_docstrings_have_the_form_of_the_house(folder: str):
     assert wrong == []
 
 
+# What students read asks them to write it: "Return the line". All else names it: "The line".
+READ_BY_STUDENTS = ("solutions/", "notebooks/", "autograder/student/api.py", "tests/courses/")
+READ_BY_STUDENTS += ("tests/toy/course/",)
+
+
+def test_only_what_students_read_says_return():
+    wrong = [
+        f"{path.relative_to(ROOT)}:{line}"
+        for folder in FOLDERS
+        for path in sorted((ROOT / folder).rglob("*.py"))
+        if not path.relative_to(ROOT).as_posix().startswith(READ_BY_STUDENTS)
+        for line, text in docstrings(path)
+        if re.match(r"Returns?\b", text)
+    ]
+    assert wrong == []
+
+
 @pytest.mark.parametrize(
     ("text", "said"),
     [

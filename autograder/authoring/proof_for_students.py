@@ -1,15 +1,18 @@
 """What is sound by itself and serves no student: read from the tables, before anything is run.
 
 A question is refused here if a student could not tell it from another one, could not tell its own
-parts apart, would be told its answer by a hint, or would be told nothing before handing in. What
+parts apart, would be told its answer by a hint, or would overwrite what the notebook needs. What
 only the key's own kind can say is among that kind's `problems`.
 """
 
 from __future__ import annotations
 
+import ast
 import re
 from collections.abc import Iterator
 
+from autograder import __all__
+from autograder.authoring.masters import read_masters
 from autograder.course import Course
 from autograder.course.folders import ANSWERS
 from autograder.course.questions import Question, Written
@@ -29,12 +32,17 @@ _SHORTEST = 5  # signs of a formula that a hint may not hold; shorter ones stand
 def prove_for_students(course: Course) -> Iterator[str]:
     """One sentence for each thing that an author would not want a student to meet."""
     asked: dict[object, str] = {}
+    taken = _of_notebook(course)
     for chapter in course.chapters:
         text, _ = course.answer_tables[chapter.name]
         for question, written in zip(chapter.questions, chapter.written, strict=True):
             answer = course.key[question.id]
             for problem, path in _problems(question, answer):
                 yield str(written.place.error(problem, path))
+            if why := taken.get(chapter.name, {}).get(question.name or ""):
+                field = next(key for key, said in written.table.items() if said == question.name)
+                problem = f"{question.name!r} is taken in the notebook: {why}; choose another name"
+                yield str(written.place.error(problem, (field,)))
             of_key = f"the answer to {question.id} in {ANSWERS.as_posix()}/{chapter.name}.toml"
             for problem, path in _problems_of_key(question, answer):
                 yield str(Place(of_key, text, (question.id,)).error(problem, path))
@@ -75,6 +83,35 @@ def _problems_of_key(question: Question, answer: Answer) -> Iterator[tuple[str, 
             )
 
 
+def _of_notebook(course: Course) -> dict[str, dict[str, str]]:
+    """For each chapter the names that its notebook has from elsewhere, and what brings them."""
+    names: dict[str, dict[str, str]] = {}
+    for master in read_masters(course):
+        if master.chapter is not None:
+            brought = dict.fromkeys(__all__, "the notebook calls it to ask and to check")
+            for cell in master.cells:
+                brought |= _imported(cell.source) if cell.kind == "code" else {}
+            names[master.chapter.name] = brought
+    return names
+
+
+def _imported(source: str) -> dict[str, str]:
+    try:
+        tree = ast.parse(source)
+    except SyntaxError:  # a line for IPython
+        return {}
+    return {
+        (alias.asname or alias.name).partition(".")[0]: f"its cells import it: {ast.unparse(node)}"
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Import | ast.ImportFrom) and _module(node) != "autograder"
+        for alias in node.names
+    }
+
+
+def _module(node: ast.Import | ast.ImportFrom) -> str | None:
+    return node.module if isinstance(node, ast.ImportFrom) else None
+
+
 def _told(question: Question, answer: Answer, hint: str) -> str:
     """The right formula or code of the key that a hint holds, whatever its blanks; or nothing."""
     said = _plain_signs(hint)
@@ -82,7 +119,8 @@ def _told(question: Question, answer: Answer, hint: str) -> str:
         parts = _PARTS.findall(_plain_signs(right))
         if len("".join(parts)) < _SHORTEST or not re.search(r"[-+*/(]", right):
             continue
-        formula = r"\s*".join(map(re.escape, parts))
+        # In a sentence the sign of multiplication is often left out: 2(a + b).
+        formula = r"\s*".join(r"\*?" if part == "*" else re.escape(part) for part in parts)
         if re.search(rf"(?<![\w.]){formula}(?![\w(]|\.\d|\s*\*\*)", said):
             return right
     return ""

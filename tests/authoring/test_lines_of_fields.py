@@ -181,6 +181,25 @@ def test_a_text_that_its_numbers_do_not_fit(tmp_path, file, old, new, text, said
     assert said in found
 
 
+@pytest.mark.parametrize(
+    ("old", "new", "function", "said"),
+    [
+        ('"name": "no weights", ', "", "mean_weight_cases", "Case 1 of Q1.5: it needs a"),
+        (
+            '"""Return the mean of `weights`, a list of numbers in grams; 0 for none."""',
+            *("pass", "mean_weight", "has no docstring to tell a student what to write"),
+        ),
+    ],
+)
+def test_code_of_the_key_is_named_with_its_own_file_and_line(toy, old, new, function, said):
+    toy.replace("solutions/kitchen.py", old, new)
+    (found,) = prove_course(toy.root, mutants=False)
+    lines = (toy.root / "solutions/kitchen.py").read_text(encoding="utf-8").splitlines()
+    number = lines.index(next(line for line in lines if line.startswith(f"def {function}("))) + 1
+    assert f"(solutions/kitchen.py, line {number})" in found
+    assert said in found
+
+
 def test_a_question_that_is_asked_twice_is_told_with_both_lines(toy):
     toy.append(MASTER, '\n# %% exercise="Q1.3"\n')
     (found,) = prove_course(toy.root, mutants=False)

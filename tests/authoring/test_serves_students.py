@@ -71,6 +71,21 @@ POOR: dict[str, tuple[str, str, str, str, str, str]] = {
         *(QUESTIONS, "hints = ['Try"),
         "question 'Q1.4' in {file}, line {line}: this hint holds the whole answer, '2*a + 2*b'",
     ),
+    "a hint with the answer as it is written by hand": (
+        *(QUESTIONS, "Walk around it.", "It is $2(a + b)$."),
+        *(QUESTIONS, 'hints = ["It is'),
+        "question 'Q1.4' in {file}, line {line}: this hint holds the whole answer, '2 * (a + b)'",
+    ),
+    "the name of what asks": (
+        *(QUESTIONS, 'variable = "eggs"', 'variable = "check"'),
+        *(QUESTIONS, 'variable = "check"'),
+        "question 'Q1.3' in {file}, line {line}: 'check' is taken in the notebook: the notebook ",
+    ),
+    "the name of what is imported": (
+        *(QUESTIONS, 'variable = "rim"', 'variable = "np"'),
+        *(QUESTIONS, 'variable = "np"'),
+        "'np' is taken in the notebook: its cells import it: import numpy as np; choose another",
+    ),
     "feedback with the right formula": (
         *(ANSWERS, "there are four.", "there are four: 2 * a + 2 * b."),
         *(ANSWERS, 'feedback = "You walked'),
@@ -115,6 +130,7 @@ def test_one_prompt_may_have_other_statements(toy):
     )
     statement = '[["Q1.7".statement]]\ntruth = true\nexplanation = "x"\nmisconception = "x"\n'
     toy.add("kitchen", question, f'["Q1.7"]\n{statement}')
+    toy.append("notebooks/source/1_kitchen.py", '\n# %% exercise="Q1.7"\n')
     assert list(prove_for_students(toy.load())) == []
 
 

@@ -102,7 +102,8 @@ class FunctionKind(CodeKind[Function, FunctionAnswer]):
 
     def cells(self, question: Function, answer: FunctionAnswer, root: Path) -> tuple[str, str]:
         source = reference_source(answer, root)
-        return function_stub(source, question), source
+        where = place_of(load_object(answer.reference, root), root)
+        return function_stub(source, question, where), source
 
     def more_heading(self, question: Function) -> list[str]:
         # The widget of any other kind gives its hints one at a time.
