@@ -8,6 +8,7 @@ import io
 import re
 import symtable
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -46,6 +47,7 @@ def _english_again(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     language.follow_environment()
 
 
+@cache  # not while tests are collected, which every worker does
 def sentences() -> dict[str, tuple[str, ...]]:
     """The sentences of the engine that are marked for translation, by where they stand."""
     found = {}
@@ -67,15 +69,12 @@ def sentences() -> dict[str, tuple[str, ...]]:
     return found
 
 
-SENTENCES = sentences()
-
-
 @pytest.mark.parametrize("path", CATALOGS, ids=lambda path: path.stem)
 def test_every_sentence_is_translated_and_keeps_its_fields(path: Path):
     catalog = read_po(path.read_text(encoding="utf-8"))
     missing = [
         f"{where}: {texts[0]}"
-        for where, texts in SENTENCES.items()
+        for where, texts in sentences().items()
         if "\0".join(texts) not in catalog
     ]
     assert missing == []
@@ -88,7 +87,7 @@ def test_every_sentence_is_translated_and_keeps_its_fields(path: Path):
 
 @pytest.mark.parametrize("path", CATALOGS, ids=lambda path: path.stem)
 def test_no_translation_is_left_of_a_sentence_that_is_gone(path: Path):
-    known = {"", *("\0".join(texts) for texts in SENTENCES.values())}
+    known = {"", *("\0".join(texts) for texts in sentences().values())}
     assert set(read_po(path.read_text(encoding="utf-8"))) - known == set()
 
 

@@ -129,10 +129,10 @@ def sleep(seconds):
 
 
 def test_work_within_its_time_counts_on_a_busy_machine(sandbox):
-    """1.2 s take 3.6 by the clock, and may take 2."""
+    """0.7 s take 2.1 by the clock, and may take 1."""
     with Session(sandbox._take_host, LIMITS, 1) as session, busy_processor():
         assert session.run([WORK], [])["errors"] == [None]
-        assert asked(session, "work", 1.2)["outcomes"] == [{"value": 1}]
+        assert asked(session, "work", 0.7)["outcomes"] == [{"value": 1}]
 
 
 def test_a_cell_within_its_time_counts_on_a_busy_machine(sandbox):
