@@ -202,6 +202,8 @@ def _execute(notebook: Any, course: Course, master: Master) -> None:
     folder = course.root / SOLVED
     folder.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as responses:
+        # Some ipykernels bring a debugger along, which warns of how newer Pythons are built.
+        os.environ.setdefault("PYDEVD_DISABLE_FILE_VALIDATION", "1")
         # Responses of the author's own must neither be read nor overwritten.
         environment = {
             **os.environ,

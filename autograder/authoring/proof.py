@@ -30,6 +30,7 @@ from autograder.grading.submission import grade_contents
 from autograder.intake.submissions import Contents, Notebook
 from autograder.marking.marker import Marker
 from autograder.questions.registry import kind_of
+from autograder.reports.pictures import Pictures
 from autograder.sandbox.launcher import Sandbox
 
 # Hidden inputs are random: what holds for one draw must hold for others.
@@ -64,6 +65,12 @@ def prove_course(
         problems += [with_line(course, question, problem) for problem in found]
     if problems:
         return problems
+    pictures = Pictures(course)
+    problems += [
+        with_line(course, course.question(id), f"{id}: {problem}")
+        for id in key
+        if (problem := pictures.problem(id, SEEDS[0]))
+    ]
     if course.varied:
         report("variants")
         problems += prove_variants(course)
@@ -81,9 +88,9 @@ def prove_course(
         for mark in grade_contents(_contents([b.text for b in solved], course), marker, sandbox):
             by_hand = kind_of(course.questions[mark.question]).by_hand
             if mark.status != ("recorded" if by_hand else "right"):
-                problems.append(
-                    f"{mark.question}: the solved notebook is marked {mark.status}: {mark.feedback}"
-                )
+                said = " ".join(filter(None, (mark.feedback, mark.told)))
+                problem = f"{mark.question}: the solved notebook is marked {mark.status}: {said}"
+                problems.append(with_line(course, course.questions[mark.question], problem))
         report("untouched notebooks")
         for mark in grade_contents(_contents([b.text for b in untouched], course), marker, sandbox):
             if mark.status != "not attempted":

@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from nbformat import NotebookNode
 
 from autograder.authoring.build import (
     build_solved_notebooks,
@@ -13,6 +14,7 @@ from autograder.authoring.build import (
     write,
 )
 from autograder.authoring.masters import read_masters
+from autograder.authoring.raised import raised
 from autograder.cli import main
 from autograder.errors import CourseError
 
@@ -213,6 +215,28 @@ RAISING_CELLS = {
     ),
     "import data.cheese": r"line 2 raises ModuleNotFoundError: No module named 'data.*' \(import",
 }
+
+
+TRACEBACKS = {
+    "Cell In[1], line 2\n      1 x = 1\n----> 2 1 / 0": 2,
+    "File <ipython-input-1-abc>:2\n": 2,
+    "/tmp/ipykernel_54/36.py in <cell line: 0>()\n      1 x = 1\n----> 2 1 / 0\n": 2,
+    "/tmp/ipykernel_54/36.py in f()\n      8 x\n---> 12 y\n": 12,
+    'File "/tmp/ipykernel_52/23.py", line 2\n    print(x\n': 2,
+    "nothing that is known": 1,
+}
+
+
+@pytest.mark.parametrize("traceback", TRACEBACKS)
+def test_the_line_is_found_in_what_each_ipython_says(toy, traceback: str):
+    master = next(m for m in read_masters(toy.load()) if m.stem == "1_kitchen")
+    source = "\n".join(f"x{n} = {n}" for n in range(20))
+    error = NotebookNode(output_type="error", ename="_IncompleteInputError", evalue="incomplete")
+    error.traceback = [traceback]
+    cell = NotebookNode(source=source, outputs=[error])
+    number = TRACEBACKS[traceback]
+    said = raised(master, cell, None)
+    assert said.endswith(f"raises SyntaxError: incomplete (x{number - 1} = {number - 1}).")
 
 
 @pytest.mark.parametrize("cell", RAISING_CELLS)

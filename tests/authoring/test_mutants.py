@@ -79,6 +79,9 @@ def test_a_mutant_that_no_case_tells_is_shown_with_its_change(toy):
     assert any("if len(weights) == 0 -> if False" in line for line in found)
     assert all("a mutant earns everything" in line for line in found)
     assert all("It passed two equal weights, many weights" in line for line in found)
+    declared = """(solutions/answers/kitchen.toml, line 76):
+    {mutant = "if len(weights) == 0 -> if False", why = "..."}"""
+    assert any(line.endswith(declared) for line in found), found
 
 
 @pytest.fixture

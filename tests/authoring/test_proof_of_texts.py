@@ -31,6 +31,11 @@ def eggs(tmp_path: Path) -> Toy:
         ('"${boxs}$?"', "perhaps 'boxes' is meant"),
         ('"{100*shar:g} %?"', "perhaps 'share' is meant"),
         ('"{root(boxes)}?"', "'root' is neither a variable nor a function of formulas"),
+        (
+            r"'A half of {boxes}: $\frac{1}{2}'",
+            "a $ has no partner: a formula begins and ends with",
+        ),
+        ('"$x$ and y^2$ = 3 of {boxes}?"', "a $ has no partner"),
         (r'"$\tan(x)$ of {boxes}?"', r"reads \t as a sign of its own: write \\tan with"),
         (r'"An angle $\beta$?"', r"write \\beta with two backslashes"),
         (r'"A density $\rho$?"', r"write \\rho with two backslashes"),
@@ -52,6 +57,7 @@ def test_a_text_that_is_not_what_was_typed_is_told_with_its_line(eggs, prompt, s
         r'"$\\theta_{i}$ and a set {a, b} of {boxes:g}"',
         r'"A table:\n\n| a\t| b |\nnow $5 and\nnot $6"',
         r'"$x_{boxes k}$, \\frac{1}{2}, {} and {share:.2f}"',
+        "'It costs $5 in {boxes}, or `$a_b = 3`: ${boxes}$'",
         "'''\n$\\nu$\n{sqrt(boxes):.1f}\n'''",
     ],
 )

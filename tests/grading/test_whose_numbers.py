@@ -13,11 +13,11 @@ from autograder.cli import main
 from autograder.course import Course
 from autograder.course.places import FILE as FILE_OF_PLACES
 from autograder.course.places import make_places
-from autograder.exchange.identity import FILE
+from autograder.exchange.identity import FILE, said_in_code
 from autograder.gradebook import Record
 from autograder.gradebook.book import Gradebook
 from autograder.grading.graded import Graded
-from autograder.grading.submission import grade_contents
+from autograder.grading.submission import grade_contents, grade_submission
 from autograder.intake.submissions import Contents, Notebook, Submission
 from autograder.marking import Mark
 from autograder.marking.marker import Marker
@@ -90,6 +90,33 @@ def test_what_a_notebook_computes_from_its_numbers_is_right_for_its_student(
         records = list(book.records())
     assert [record.graded.marks[0].status for record in records] == ["right"] * 4
     assert len({record.graded.marks[0].understood for record in records}) > 1
+
+
+@pytest.mark.parametrize("call", ['me("Ada Lovelace")', "me( 'Ada Lovelace' )  # that is me"])
+def test_a_notebook_without_its_responses_is_marked_by_the_name_in_it(market: Course, call: str):
+    """What it computes from its numbers is right; the sheet's are somebody else's."""
+    assert market.for_student(NAMES[0]).numbers("Q7") != market.numbers("Q7")
+    source = f"import math\n\n{call}\nboxes, eggs = numbers('market')\nbought = boxes * eggs"
+    start = "from autograder import me, numbers"
+    contents = Contents({"kitchen": Notebook(cells=[start, source], receipts={})}, sidecars={})
+    submission = Submission("ada", Path("ada"))
+    with Sandbox(market, "none") as sandbox:
+        graded = grade_submission(submission, contents, Marker(market, 1), sandbox, ["Q7"])
+    assert graded.marks[0].status == "right", graded.marks[0]
+    assert graded.numbers_of == NAMES[0]
+
+
+@pytest.mark.parametrize(
+    ("cells", "name"),
+    [
+        (['me("Ada")'], "Ada"),
+        (["import x\n\nme('Ada')  # that is me", "me(17)"], "17"),
+        (["me()", "me(name)", '# me("Ada")', 'some("Ada")', 'print(me("Ada"))'], ""),
+        (['me("A\tda")'], "A da"),
+    ],
+)
+def test_a_name_is_read_in_code_without_running_it(cells: list[str], name: str):
+    assert said_in_code(cells) == name
 
 
 @pytest.mark.parametrize("tier", get_args(Isolation))

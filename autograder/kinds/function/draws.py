@@ -47,6 +47,25 @@ def other_samples(case: Case, outcome: Mapping[str, object]) -> str:
     return _asked_instead(_samples(case, outcome))
 
 
+def asked_in_vain(case: Case, outcome: Mapping[str, object]) -> str:
+    """What a case asks for and its reference does not do, so that it counts nobody's; empty if not.
+
+    How many samples were drawn can be told only where they are drawn by `choice`.
+    """
+    if asked := other_draws(case, outcome):
+        return f'draws {outcome["drawn"]} random numbers, and "draws" asks for {asked}'
+    sampled = outcome.get("sampled")
+    if "samples" not in case or not isinstance(sampled, list):
+        return ""
+    size, count = sampled
+    if asked := other_samples(case, outcome):
+        return f'draws {count} samples, and "samples" asks for {asked}'
+    wanted = case["samples"][0]
+    return (
+        "" if size == wanted else f'draws samples of {size}, and "samples" counts those of {wanted}'
+    )
+
+
 def _numbers(case: Case, outcome: Mapping[str, object]) -> _Count | None:
     drawn = outcome.get("drawn")
     if "draws" not in case or type(drawn) is not int:

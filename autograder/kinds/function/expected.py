@@ -37,7 +37,7 @@ def draw(
     """
     make_cases = load_object(answer.cases, root)
     cases = make_cases(rng)
-    if problem := _problem_of_cases(question, cases):
+    if problem := problem_of_cases(question, cases):
         raise CourseError(f"{problem}{place_of(make_cases, root)}.")
     sent = {**base, "cases": [{"args": c["args"], "kwargs": c.get("kwargs", {})} for c in cases]}
     reference = load_object(answer.reference, root)
@@ -109,7 +109,7 @@ def _outcomes(dotted_name: str, sent: dict[str, object], root: Path) -> list[dic
     return list(reply["outcomes"])
 
 
-def _problem_of_cases(question: Function, cases: object) -> str:
+def problem_of_cases(question: Function, cases: object) -> str:
     """Why cases are no list of dictionaries that hold what a case may hold; empty if they are."""
     if not isinstance(cases, list) or not cases:
         return (
@@ -134,4 +134,14 @@ def _problem_of_case(case: object) -> str:
         return 'it needs a "name", a text that says what kind of input it is'
     if not isinstance(case.get("args"), list):
         return 'it needs "args", the list of the arguments: [12.0] where there is one'
+    for key, counts in (("draws", 2), ("samples", 3)):
+        if key in case and not _are_counts(case[key], counts):
+            pattern = "(low, high)" if key == "draws" else "(2, low, high) for samples of two"
+            return f'"{key}" must be {pattern}, not {case[key]!r}'
     return ""
+
+
+def _are_counts(value: object, length: int) -> bool:
+    if not isinstance(value, tuple | list) or len(value) != length:
+        return False
+    return all(isinstance(count, int | float | np.number) for count in value)

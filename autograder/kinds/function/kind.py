@@ -17,7 +17,7 @@ from autograder.kinds.function.marking import mark_function
 from autograder.kinds.function.promises import promises
 from autograder.kinds.function.question import Function
 from autograder.kinds.function.reading import draw_reading
-from autograder.kinds.function.reference_failures import reference_failures
+from autograder.kinds.function.reference_failures import other_counts, reference_failures
 from autograder.kinds.function.stub import function_stub, reference_source
 from autograder.kinds.function.take_snapshot import take_snapshot
 from autograder.kinds.function.trial import FunctionTrial
@@ -122,9 +122,12 @@ class FunctionKind(CodeKind[Function, FunctionAnswer]):
         self, question: Function, answer: FunctionAnswer, drawn: Drawn, root: Path
     ) -> Iterator[str]:
         yield from reference_failures(load_object(answer.reference, root), drawn.expected)
+        place = place_of(load_object(answer.cases, root), root)
+        for problem in other_counts(drawn.expected):
+            yield f"{problem} (the cases are '{answer.cases}'{place})."
         if not any(case.get("public") for case in drawn.expected.cases):
             yield (
-                f"no case of '{answer.cases}'{place_of(load_object(answer.cases, root), root)} is "
+                f"no case of '{answer.cases}'{place} is "
                 "public, so students see no example of their own before they hand in; write "
                 '"public": True into one.'
             )
