@@ -3,10 +3,16 @@
 from __future__ import annotations
 
 import os
+import sys
 from pathlib import Path
 
 import hypothesis
 import pytest
+
+# Hundreds of processes are started here, and this variable, which many containers set, would make
+# each of them compile anew what it imports.
+os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
+sys.dont_write_bytecode = False
 
 
 @pytest.fixture(scope="session", autouse=True)
@@ -60,6 +66,23 @@ _NOT_QUICK = {
     "test_what_is_left.py",
     "test_widgets_without_a_browser.py",
 }
+# Files that take longest. They begin first: begun last, one alone would keep the whole run waiting.
+_LONG = (
+    "tests/browser/test_widgets.py",
+    "tests/grading/test_cluster.py",
+    "tests/test_the_course.py",
+    "tests/browser/test_journey.py",
+    "tests/authoring/test_new.py",
+    "tests/sandbox/test_hostile_classes.py",
+    "tests/sandbox/test_own_time.py",
+    "tests/sandbox/test_sessions.py",
+    "tests/sandbox/test_machine_limits.py",
+    "tests/sandbox/test_attacks_hanging_and_dying.py",
+    "solutions/notebooks/1_place_recognition.ipynb",
+    "tests/browser/test_second_course.py",
+    "tests/grading/test_cluster_memory.py",
+    "notebooks/1_place_recognition.ipynb",
+)
 
 
 def pytest_configure(config: pytest.Config) -> None:
@@ -79,11 +102,14 @@ def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool 
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Mark what is quick; try a test once more that watches real processes or a browser.
+    """Begin with what takes long; mark what is quick; try a test once more that watches real
+    processes or a browser.
 
     Their limits are wall time: on a machine that others use too, one may come too late once. A
     real fault fails twice.
     """
+    order = {_HERE / file: place for place, file in enumerate(_LONG)}
+    items.sort(key=lambda item: order.get(item.path, len(order)))
     for item in items:
         if item.path.parent.name in _QUICK and item.path.name not in _NOT_QUICK:
             item.add_marker(pytest.mark.quick)

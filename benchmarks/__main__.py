@@ -57,7 +57,7 @@ def main() -> int:
 
 
 def introduction() -> str:
-    """Return what the numbers are and where they were taken."""
+    """What the numbers are and where they were taken."""
     versions = []
     for package in PACKAGES:
         try:
@@ -77,7 +77,7 @@ over to other machines roughly, times do not.
 
 
 def processor() -> str:
-    """Return the processor's name, as far as the system tells."""
+    """The processor's name, as far as the system tells."""
     try:
         lines = Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines()
         return next(line.split(":")[1].strip() for line in lines if line.startswith("model name"))

@@ -78,7 +78,7 @@ def hand_in(folder: Path, count: int, is_zip: bool) -> Path:
         return work
     one = io.BytesIO()
     with zipfile.ZipFile(one, "w") as archive:
-        archive.writestr("1_orchard.ipynb", text)
+        archive.writestr("3_orchard.ipynb", text)
     with zipfile.ZipFile(folder / "class.zip", "w") as archive:
         for number in range(count):
             archive.writestr(f"student{number:06}.zip", one.getvalue())

@@ -17,7 +17,7 @@ import sys
 import tempfile
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import NamedTuple
@@ -28,7 +28,9 @@ from benchmarks.grading_assignment import (
     write_nbgrader,
     write_otter,
 )
+from benchmarks.grading_profile import profile, profile_table
 
+_ROOT = Path(__file__).parents[1]
 LIBRARIES = ("ipykernel", "numpy", "sympy", "matplotlib", "opencv-python-headless")
 PEERS = {"nbgrader": "nbgrader>=0.9.6,<0.10", "otter-grader": "otter-grader>=7,<8"}
 OWN = "this project"
@@ -210,8 +212,71 @@ def median(costs: list[Cost]) -> Cost:
     return Cost(*(statistics.median(column) for column in zip(*costs, strict=True)))
 
 
+def whole_class_text(graders: list[Contender], folder: Path, students: int) -> str:
+    """Let each grader grade a class of another size once, and say what it took."""
+    rows = [
+        f"## A class of {students}",
+        "",
+        "The same notebook, one round.",
+        "",
+        "| grader | CPU a submission [s] | wall a submission [s] | CPU, times ours | "
+        "wall, times ours |",
+        "|---|---|---|---|---|",
+    ]
+    costs: list[Cost] = []
+    for grader in graders:
+        root = folder / f"{grader.name} of {students}"
+        grader.write(root, students)
+        for command in grader.prepare:
+            grader.run(command, root)
+        costs.append(grader.time(root, folder / "copy", students))
+        cost = costs[-1]
+        rows.append(
+            f"| {grader.name} | {cost.cpu / students:.3f} | {cost.wall / students:.3f} | "
+            f"{cost.cpu / costs[0].cpu:.1f} | {cost.wall / costs[0].wall:.1f} |"
+        )
+        print(rows[-1], file=sys.stderr)
+    return "\n".join(rows)
+
+
+def profile_text(folder: Path, students: int) -> str:
+    """Whose the processor time is, for these ten questions and for this course."""
+    ten, course = folder / "profiled", folder / "solved"
+    write_course(ten, students)
+    for number in range(students):
+        copy = course / "submitted" / f"student{number:04}"
+        copy.mkdir(parents=True)
+        for notebook in sorted((_ROOT / "solutions/notebooks").glob("*.ipynb")):
+            shutil.copy(notebook, copy)
+    environment = {k: v for k, v in os.environ.items() if k != "PYTHONDONTWRITEBYTECODE"}
+    environment |= {f"{name}_NUM_THREADS": "1" for name in ("OMP", "OPENBLAS")}
+    grade = [sys.executable, "-m", "autograder", "--course"]
+    own = [*grade, str(_ROOT), "grade", "submitted", "--out", str(course / "grades")]
+    rows = profile_table(
+        {
+            "the ten questions": (
+                profile([*grade, ".", "grade", "submitted"], ten, environment),
+                students,
+            ),
+            "this course, all solved": (profile(own, course, environment), students),
+        }
+    )
+    text = "\n".join(
+        [
+            f"Whose the time is, in classes of {students}: the students' own processes run their "
+            "cells and the calls of their functions; a zygote imports the libraries once and "
+            "clears up between submissions; the grader reads, marks, keeps the gradebook and "
+            "writes the pages; the rest tries the isolation out.",
+            "",
+            *rows,
+        ]
+    )
+    print(text, file=sys.stderr)
+    return text
+
+
 def report(
-    students: int, rounds: int, graders: list[Contender], alone: Cost, anew: str, large: str
+    students: int, rounds: int, graders: list[Contender], alone: Cost, texts: Sequence[str]
 ) -> str:
     """The page that says what came out."""
     own_cost = median(graders[0].costs)
@@ -238,6 +303,7 @@ def report(
             f"| {grader.name} | {cost.cpu / students:.3f} | {cost.wall / students:.3f} | "
             f"{cost.cpu / own_cost.cpu:.1f} | {cost.wall / own_cost.wall:.1f} | {each} |"
         )
+    anew, whose, *others = texts
     lines += ["", anew]
     more = (own_cost.cpu - alone.cpu) / (students - 1)
     lines += [
@@ -250,9 +316,10 @@ def report(
         f"the start is {100 * (1 - more * students / own_cost.cpu):.0f} % of the time above and "
         "matters less the larger the class is.",
         "",
-        "Only this project keeps the answers away from the student's code while it checks.",
+        whose,
         "",
-        large,
+        "Only this project keeps the answers away from the student's code while it checks.",
+        *(line for text in others if text for line in ("", text)),
     ]
     return "\n".join(lines).rstrip() + "\n"
 
@@ -262,6 +329,7 @@ def main() -> int:
     parser = argparse.ArgumentParser(prog="python -m benchmarks.grading", description=__doc__)
     parser.add_argument("--students", type=int, default=20)
     parser.add_argument("--rounds", type=int, default=3)
+    parser.add_argument("--whole", type=int, default=100, help="one more class; 0 leaves it out")
     parser.add_argument("--large", type=int, default=1000, help="0 leaves the large class out")
     parser.add_argument("--own", action="store_true", help="this project only; writes nothing")
     parser.add_argument("--environments", type=Path, help="keep the peers' environments here")
@@ -280,6 +348,8 @@ def main() -> int:
         print(f"a class of one: {alone.cpu:.2f} CPU-s, {alone.wall:.2f} s", file=sys.stderr)
         large = large_class_text(folder, arguments.large) if arguments.large else ""
         anew = "" if arguments.own else otter_anew(graders[-1], folder / graders[-1].name)
+        whole = whole_class_text(graders, folder, arguments.whole) if arguments.whole else ""
+        texts = (anew, profile_text(folder, students), whole, large)
         for round in range(1, arguments.rounds + 1):
             for grader in graders:
                 cost = grader.time(folder / grader.name, folder / "copy", students)
@@ -290,7 +360,7 @@ def main() -> int:
                     file=sys.stderr,
                 )
             if not arguments.own:  # after each round, so that a run cut short leaves a page too
-                arguments.out.write_text(report(students, round, graders, alone, anew, large))
+                arguments.out.write_text(report(students, round, graders, alone, texts))
         shutil.rmtree(folder / "copy", ignore_errors=True)
     return 0
 

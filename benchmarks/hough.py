@@ -25,7 +25,7 @@ class Hough:
     cropped: bool = True
 
     def __call__(self, ranges: np.ndarray, angles: np.ndarray) -> np.ndarray:
-        """Return (S, 2, 2) end points in metres."""
+        """(S, 2, 2) end points in metres."""
         echo = (ranges > 0) & (ranges < NO_ECHO - 1)
         points = ranges[echo, None] * np.column_stack([np.cos(angles), np.sin(angles)])[echo]
         if not len(points):
@@ -52,7 +52,7 @@ class Hough:
 
 
 def tuned_hough(scenes: list[Scene]) -> Hough:
-    """Return the setting with the largest true minus false positive rate on some scenes."""
+    """The setting with the largest true minus false positive rate on some scenes."""
     grid = itertools.product((0.02, 0.03, 0.05, 0.08), (6, 8, 10, 14), (0.5, 0.6), (0.25, 0.5))
     candidates = [Hough(*setting) for setting in grid]
 

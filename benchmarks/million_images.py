@@ -19,7 +19,7 @@ PORTION = 10_000  # images added at a time
 
 
 def synthetic_images(rng: np.random.Generator, count: int) -> list[np.ndarray]:
-    """Return the words of images with 300 to 1000 features each.
+    """The words of images with 300 to 1000 features each.
 
     The i-th most frequent word has a probability in proportion to 1 / sqrt(i) (Zipf's law with
     the exponent 0.5), so the share of the i most frequent ones is sqrt(i / WORD_COUNT).
@@ -59,7 +59,7 @@ def main() -> None:
 
 
 def peak_memory() -> int | None:
-    """Return the most memory in bytes that this process had, None where Linux does not tell.
+    """The most memory in bytes that this process had, None where Linux does not tell.
 
     `resource.getrusage` would count the process that started this one, as the two are one until
     Python is loaded.

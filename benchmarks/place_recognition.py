@@ -165,7 +165,7 @@ def _queries(photographs: dict[str, np.ndarray], trainers: dict[str, Trainer]) -
 def _dense_database(
     words: Words, photographs: list[np.ndarray], with_faiss: bool
 ) -> Callable[[np.ndarray], np.ndarray]:
-    """Return a function that ranks photographs by comparing whole tf-idf vectors."""
+    """A function that ranks photographs by comparing whole tf-idf vectors."""
 
     def histogram(descriptors: np.ndarray) -> np.ndarray:
         return np.bincount(words(descriptors), minlength=1000)
@@ -263,7 +263,7 @@ def _growth(missing: list[str]) -> tuple[list[Row], list[Curve]]:
 def _sparse_database(
     sparse: ModuleType, images: list[np.ndarray], query: np.ndarray
 ) -> Callable[..., object]:
-    """Return a call that multiplies the query with all images, as sparse tf-idf vectors."""
+    """A call that multiplies the query with all images, as sparse tf-idf vectors."""
     ends = np.cumsum([0, *map(len, images)])
     shape = (len(images), million_images.WORD_COUNT)
     words = np.concatenate(images)

@@ -82,7 +82,7 @@ def run() -> Section:
 
 
 def scene(rng: np.random.Generator, dimension: int, N: int = SIZE) -> np.ndarray:
-    """Return (N, dimension) points; the first fifth is on the model."""
+    """(N, dimension) points; the first fifth is on the model."""
     points = rng.uniform(-5.0, 5.0, (N, dimension))
     inliers = round(N * INLIER_RATIO)
     points[:inliers, -1] = 1.0 + 0.3 * points[:inliers, 0] + rng.normal(0.0, SIGMA, inliers)
@@ -92,7 +92,7 @@ def scene(rng: np.random.Generator, dimension: int, N: int = SIZE) -> np.ndarray
 def success_rate(
     contender: Contender, iterations: int, dimension: int, scenes: int, seed: int
 ) -> float:
-    """Return the share of scenes in which the contender finds the model."""
+    """The share of scenes in which the contender finds the model."""
     rng = np.random.default_rng(seed)
     successes = 0.0
     for _ in range(scenes):

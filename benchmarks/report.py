@@ -58,7 +58,7 @@ class Section:
 
 
 def markdown_table(rows: list[Row]) -> str:
-    """Return the rows as one Markdown table; extra columns appear in the order first seen."""
+    """The rows as one Markdown table; extra columns appear in the order first seen."""
     extra_names = list(dict.fromkeys(name for row in rows for name in row.extra))
     timed = any(row.seconds is not None for row in rows)
     header = ["task", "contender", *(["time", "ratio"] if timed else []), *extra_names]
@@ -75,7 +75,7 @@ def markdown_table(rows: list[Row]) -> str:
 
 
 def markdown_section(section: Section) -> str:
-    """Return a section as Markdown: heading, setup, one table a group, what is missing."""
+    """A section as Markdown: heading, setup, one table a group, what is missing."""
     parts = [f"## {section.title}", section.setup.strip()]
     for group in dict.fromkeys(row.group for row in section.rows):
         rows = [row for row in section.rows if row.group == group]

@@ -11,7 +11,7 @@ Words = Callable[[np.ndarray], np.ndarray]  # (N, d) descriptors to (N,) words
 
 
 def campus_descriptors(kind: str = "sift") -> dict[str, np.ndarray]:
-    """Return the (n, 128) or (n, 32) descriptors of all 25 photographs by number, in order."""
+    """The (n, 128) or (n, 32) descriptors of all 25 photographs by number, in order."""
     photographs = {**data.campus_photographs(), **data.campus_queries()}
     return {
         name: extract_features(photographs[name], kind).descriptors  # type: ignore[arg-type]
@@ -22,7 +22,7 @@ def campus_descriptors(kind: str = "sift") -> dict[str, np.ndarray]:
 def quality(
     descriptors: dict[str, np.ndarray], words: Words, word_count: int, votes: bool = False
 ) -> tuple[float, float]:
-    """Return mean average precision and recall at 1, leaving one photograph out at a time.
+    """Mean average precision and recall at 1, leaving one photograph out at a time.
 
     `descriptors` holds an (n, d) array for each photograph. The other 24 are ranked, with tf-idf
     weights that know only them. A photograph counts as a query if geometry verified at least one
@@ -46,7 +46,7 @@ def quality(
 
 
 def average_precision(ranked: np.ndarray) -> float:
-    """Return the mean, over the relevant ones, of the precision at their rank.
+    """The mean, over the relevant ones, of the precision at their rank.
 
     `ranked` is an array (n,) that says of each rank whether it is relevant.
     """

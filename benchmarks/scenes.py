@@ -23,12 +23,12 @@ class Scene:
 
 
 def hard_scenes(count: int, rng: np.random.Generator) -> list[Scene]:
-    """Return `count` scenes, each in a world of its own."""
+    """Scenes, `count` of them, each in a world of its own."""
     return [hard_scene(rng) for _ in range(count)]
 
 
 def hard_scene(rng: np.random.Generator, sigma: float = 0.015) -> Scene:
-    """Return one scan from a random place in a random room."""
+    """One scan from a random place in a random room."""
     half = rng.uniform([4.0, 3.0], [9.0, 7.0])
     walls = np.concatenate([_room(half), _partitions(rng, half)])
     circles, arcs, bushes = _round_things(rng, half)
@@ -94,7 +94,7 @@ def _partitions(rng: np.random.Generator, half: np.ndarray) -> np.ndarray:
 def _round_things(
     rng: np.random.Generator, half: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return circles (x, y, radius), arcs (x, y, radius, middle, half opening), bushes."""
+    """Circles (x, y, radius), arcs (x, y, radius, middle, half opening), bushes."""
 
     def places(count: int) -> np.ndarray:
         return rng.uniform(-0.9, 0.9, (count, 2)) * half
@@ -119,7 +119,7 @@ def _round_things(
 
 
 def _ray_walls(walls: np.ndarray) -> np.ndarray:
-    """Return (B, K) distances along the beams, infinite where a wall is missed."""
+    """(B, K) distances along the beams, infinite where a wall is missed."""
     direction = np.column_stack([np.cos(BEAMS), np.sin(BEAMS)])[:, None]
     start, along = walls[:, 0], walls[:, 1] - walls[:, 0]
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -130,7 +130,7 @@ def _ray_walls(walls: np.ndarray) -> np.ndarray:
 
 
 def _ray_circles(circles: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return (B, C) distances to the near and the far side of circles."""
+    """(B, C) distances to the near and the far side of circles."""
     x, y, radius = circles[:, :3].T
     forward = np.outer(np.cos(BEAMS), x) + np.outer(np.sin(BEAMS), y)
     inside = radius**2 - (x * x + y * y - forward**2)

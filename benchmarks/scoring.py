@@ -8,7 +8,7 @@ from benchmarks.scenes import Scene
 
 
 def rates(scenes: list[Scene], extracted: list[np.ndarray]) -> tuple[float, float]:
-    """Return the true and the false positive rate.
+    """The true and the false positive rate.
 
     `extracted` holds for each scene (S, 2, 2) end points in metres. The first rate is the
     share of visible walls that at least one segment matches. The second one is the share of
@@ -26,7 +26,7 @@ def rates(scenes: list[Scene], extracted: list[np.ndarray]) -> tuple[float, floa
 
 
 def repeats(ends: np.ndarray, match: np.ndarray, walls: np.ndarray) -> np.ndarray:
-    """Return (S,) whether half of a segment, or more, is on what longer ones cover already."""
+    """Whether half of a segment, or more, is on what longer ones cover already, as (S,)."""
     repeated = np.zeros(len(ends), dtype=bool)
     longest_first = np.argsort(-np.hypot(*(ends[:, 1] - ends[:, 0]).T))
     for wall in np.flatnonzero(match.any(axis=0)):
@@ -50,7 +50,7 @@ def matches(
     angle: float = math.radians(6.0),
     overhang: float = 0.25,
 ) -> np.ndarray:
-    """Return (S, K) whether a segment lies on a wall.
+    """Whether a segment lies on a wall, as (S, K).
 
     Its ends are at most `distance` metres from the wall's line and `overhang` metres beyond
     the wall's ends, and its direction differs by at most `angle`.

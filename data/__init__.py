@@ -1,7 +1,10 @@
 """Small real data for the course. ``README.md`` in this folder is the datasheet.
 
 Every loader reads its file once and returns the same read-only arrays afterwards; copy an array to
-change it. Raises `DataError` for a file that is missing or damaged.
+change it.
+
+Raises:
+    DataError: for a file that is missing or damaged.
 """
 
 from __future__ import annotations

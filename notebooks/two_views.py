@@ -29,12 +29,13 @@ def two_views(
 ) -> TwoViews:
     """Match the features of two photographs and look for the geometry that most matches share.
 
-    Args:
-        one, other: OpenCV's keypoints with their (n, d) descriptors.
-        norm: how far descriptors are apart: NORM_L2 for SIFT, NORM_HAMMING for ORB.
-
     Matches are each other's nearest and clearly nearer than the second nearest; of several between
     the same two spots one counts. With fewer than eight there is no geometry, and none agrees.
+
+    Args:
+        one: OpenCV's keypoints in the first, with their (n, d) descriptors.
+        other: those in the second.
+        norm: how far descriptors are apart: NORM_L2 for SIFT, NORM_HAMMING for ORB.
     """
     (spots, descriptors), (other_spots, other_descriptors) = one, other
     pairs = cv2.BFMatcher(norm).knnMatch(descriptors, other_descriptors, k=2)

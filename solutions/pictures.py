@@ -12,7 +12,7 @@ from solutions.cases.case import Case, Value
 def fitted_line(case: Case, expected: Value, actual: Value) -> dict[str, object] | None:
     """Describe the points of a case, the line that fits best and the line that was returned.
 
-    Returns None if `actual` is no line, a pair of finite numbers (r, alpha).
+    None if `actual` is no line, which is a pair of finite numbers (r, alpha).
     """
     points = np.asarray(case["args"][0], dtype=float)
     r, alpha = (float(value) for value in actual)

@@ -1,4 +1,4 @@
-"""A small course and its class, for the tests of what instructors use."""
+"""A class for the orchard of the toy course: what is handed in, marks, and gradebooks of them."""
 
 from __future__ import annotations
 
@@ -14,130 +14,7 @@ from autograder.gradebook import Gradebook
 from autograder.grading.graded import Graded
 from autograder.intake.submissions import Submission
 from autograder.marking import Mark, Part
-
-QUESTIONS = """
-title = "The orchard"
-
-[[question]]
-id = "Q1"
-kind = "true_false"
-title = "Trees"
-prompt = "Which of these $n = 2$ claims hold?"
-statements = ["An apple tree has cones.", "A cherry tree has blossoms."]
-hints = ["Look up in spring."]
-
-[[question]]
-id = "Q2"
-kind = "number"
-points = 2
-variable = "trees"
-integer = true
-title = "The rows"
-prompt = "Three rows of four trees stand there. How many trees are that?"
-hints = ["Rows times trees in a row."]
-
-[[question]]
-id = "Q3"
-kind = "expression"
-points = 2
-variable = "hedge"
-title = "The hedge"
-prompt = "How long is the hedge round an orchard of width $w$ and length $l$?"
-hints = ["It has four sides."]
-[question.symbols]
-w = "width"
-l = "length"
-
-[[question]]
-id = "Q4"
-kind = "function"
-points = 4
-function = "heaviest"
-title = "The heaviest apple"
-prompt = "Return the weight of the heaviest apple."
-hints = ["What if there is one apple only?"]
-"""
-
-ANSWERS = """
-["Q1"]
-explanation = "Cones grow on conifers, the secret of the orchard."
-[["Q1".statement]]
-truth = false
-explanation = "Apples are no cones."
-misconception = "You may be thinking of a fir: look for needles."
-[["Q1".statement]]
-truth = true
-explanation = "Every cherry was a blossom."
-misconception = "Cherries start as blossoms: come back in spring."
-
-["Q2"]
-code = "3 * 4  # the key's own words"
-explanation = "Rows multiply, says the key to the orchard."
-[["Q2".alternative]]
-name = "right"
-value = 12
-credit = 1.0
-[["Q2".alternative]]
-name = "rows and trees added"
-value = 7
-credit = 0.25
-feedback = "That is three plus four: multiply them."
-
-["Q3"]
-code = "2 * (w + l)"
-explanation = "Each side of the orchard stands twice in the hedge."
-sample = {w = [1, 5], l = [1, 5]}
-[["Q3".alternative]]
-name = "right"
-expression = "2*w + 2*l"
-credit = 1.0
-[["Q3".alternative]]
-name = "each side once"
-expression = "w + l"
-credit = 0.5
-feedback = "You walked along two sides only."
-
-["Q4"]
-reference = "orchard_reference:heaviest"
-cases = "orchard_reference:heaviest_cases"
-explanation = "A maximum that the orchard's key explains."
-[["Q4".alternative]]
-name = "forgets the first apple"
-function = "orchard_reference:forgets_the_first"
-credit = 0.5
-feedback = "The first apple is missing from your search."
-[["Q4".alternative]]
-name = "the lightest apple"
-function = "orchard_reference:lightest"
-credit = 0.25
-feedback = "That is the lightest one."
-"""
-
-SOLUTIONS = '''
-def heaviest(weights):
-    """Return the weight of the heaviest apple."""
-    most = weights[0]  # the reference's own comment
-    for weight in weights:
-        most = max(most, weight)
-    return most
-
-
-def forgets_the_first(weights):
-    return max(weights[1:], default=0.0)
-
-
-def lightest(weights):
-    return min(weights)
-
-
-def heaviest_cases(rng):
-    hidden = [float(w) for w in rng.uniform(50, 250, 6)]
-    return [
-        {"name": "three apples", "args": [[120.0, 180.0, 150.0]], "public": True},
-        {"name": "the first is the heaviest", "args": [[251.5, *hidden]]},
-        {"name": "a basket", "args": [[49.0, *hidden]]},
-    ]
-'''
+from tests.toy import make_toy
 
 # One place for what an instructor's file never puts into a student's hands.
 SECRETS = (
@@ -152,21 +29,6 @@ SECRETS = (
     "You walked along two sides only",
 )
 
-MASTER = """# %% [markdown]
-# # The orchard
-
-# %%
-from autograder import ask, check, progress, submit
-
-# %% exercise="Q1"
-
-# %% exercise="Q2"
-
-# %% exercise="Q3"
-
-# %% exercise="Q4"
-"""
-
 RIGHT = {
     "Q1": 'ask("Q1").respond([False, True])',
     "Q2": "trees = 12",
@@ -177,18 +39,10 @@ START = "from autograder import ask, check, progress, submit"
 
 
 def make_course(root: Path) -> Course:
-    """Write the course at ``root`` and load it."""
-    (root / "notebooks/questions").mkdir(parents=True)
-    (root / "notebooks/questions/orchard.toml").write_text(QUESTIONS)
-    (root / "notebooks/1_orchard.ipynb").write_text(notebook([START]))
-    (root / "notebooks/source").mkdir()
-    (root / "notebooks/source/1_orchard.py").write_text(MASTER)
-    (root / "solutions/answers").mkdir(parents=True)
-    (root / "solutions/answers/orchard.toml").write_text(ANSWERS)
-    # Not in a package `solutions`: one process knows one, and other tests load the real one.
-    (root / "orchard_reference.py").write_text(SOLUTIONS)
-    (root / "pyproject.toml").write_text('[project]\nname = "orchard"\nversion = "0.1"\n')
-    return load_course(root)
+    """The orchard at ``root``, with a notebook to hand in."""
+    toy = make_toy(root, "orchard")
+    (root / "notebooks/3_orchard.ipynb").write_text(notebook([START]))
+    return toy.load()
 
 
 def notebook(cells: list[str]) -> str:
@@ -215,7 +69,7 @@ def notebook(cells: list[str]) -> str:
 
 def hand_in(folder: Path, student: str, **responses: str) -> Path:
     """Write a submission that is right except where ``responses`` say otherwise."""
-    path = folder / student / "1_orchard.ipynb"
+    path = folder / student / "3_orchard.ipynb"
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(notebook([START, *{**RIGHT, **responses}.values()]))
     return path.parent

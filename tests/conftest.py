@@ -12,10 +12,10 @@ from types import ModuleType
 import pytest
 from hypothesis import HealthCheck, settings
 from playwright.sync_api import Browser, sync_playwright
-from tiny_course import TinyCourse, make_tiny_course
 
 from autograder import language
 from autograder.course import Course, load_course
+from tests.toy import Toy, make_toy
 
 # How long an example takes says how busy the machine is, and nothing about the code.
 settings.register_profile(
@@ -67,14 +67,14 @@ def pytest_runtest_protocol(item: pytest.Item) -> Iterator[None]:
 
 
 @pytest.fixture
-def tiny_course(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[TinyCourse]:
+def toy(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Toy]:
     """A sound course whose package ``solutions`` stands in for the real one during the test."""
     monkeypatch.delenv("AUTOGRADER_COURSE", raising=False)
     real = take_solutions_out()
     root = tmp_path / "course"
     root.mkdir()
     monkeypatch.syspath_prepend(str(root))
-    yield make_tiny_course(root)
+    yield make_toy(root)
     take_solutions_out()
     sys.modules.update(real)
 

@@ -14,6 +14,8 @@ from pathlib import Path
 
 import pytest
 import yaml
+from packaging.requirements import Requirement
+from packaging.version import Version
 
 ROOT = Path(__file__).parents[1]
 # What this test run has set, and a user has not.
@@ -51,6 +53,37 @@ def test_the_matrix_has_every_python_from_the_oldest_that_is_allowed():
     assert {"macos-latest", "windows-latest"} == set(
         jobs["systems"]["strategy"]["matrix"]["system"]
     )
+
+
+# The first version of each library that came with wheels for a newer Python, on Linux, at PyPI.
+FIRST_WHEELS = {
+    "3.13": {"numpy": "2.1.0"},
+    "3.14": {"numpy": "2.3.2", "matplotlib": "3.10.5", "pyyaml": "6.0.3"},
+}
+
+
+@pytest.mark.parametrize("python", FIRST_WHEELS)
+def test_the_lowest_allowed_versions_can_be_installed_without_a_compiler(python: str):
+    engine = tomllib.loads((ROOT / "autograder/pyproject.toml").read_text(encoding="utf-8"))
+    entries = [*PROJECT["project"]["dependencies"], *engine["project"]["dependencies"]]
+    lowest: dict[str, Version] = {}
+    for requirement in map(Requirement, entries):
+        if requirement.marker is None or requirement.marker.evaluate({"python_version": python}):
+            for bound in (one for one in requirement.specifier if one.operator == ">="):
+                least = lowest.get(requirement.name, Version("0"))
+                lowest[requirement.name] = max(least, Version(bound.version))
+    for name, first in FIRST_WHEELS[python].items():
+        assert lowest[name] >= Version(first), name
+
+
+def test_the_lowest_versions_are_tried_with_the_oldest_and_the_newest_python():
+    matrix = yaml.safe_load(WORKFLOWS[-1].read_text(encoding="utf-8"))["jobs"]["versions"]
+    lowest = [
+        entry["python"]
+        for entry in matrix["strategy"]["matrix"]["include"]
+        if entry["resolution"] == "lowest-direct"
+    ]
+    assert lowest == ["3.11", "3.14"]
 
 
 def test_the_container_installs_an_extra_that_exists():

@@ -20,6 +20,7 @@ from nbclient.exceptions import CellExecutionError
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
 
 from autograder import __all__
+from autograder.authoring.at_key import with_line
 from autograder.authoring.executed import Executed
 from autograder.authoring.masters import Master, MasterCell, read_masters
 from autograder.authoring.raised import raised
@@ -27,6 +28,7 @@ from autograder.course import DEMO, Course
 from autograder.course.folders import NOTEBOOKS, SOLVED, cell_id
 from autograder.errors import CourseError
 from autograder.exchange.building import BUILDING
+from autograder.questions.exercise import Exercise
 from autograder.questions.exercise import heading as exercise_heading
 from autograder.questions.question import Question
 from autograder.questions.registry import kind_of
@@ -149,7 +151,7 @@ def _assemble(course: Course, master: Master, solved: bool) -> object:
             notebook.cells.append(make(cell.source, id=_cell_id(cell, taken), metadata=metadata))
             continue
         question = course.question(cell.exercise)
-        exercise = kind_of(question).exercise(question, course.key[question.id], course.root)
+        exercise = _exercise(course, question)
         asks = exercise.check is not None and course.personal and question.id in course.varied
         heading = _heading_without_numbers(course, question) if asks else exercise.heading
         notebook.cells.append(new_markdown_cell(heading, id=cell_id(question.id, "question")))
@@ -162,6 +164,13 @@ def _assemble(course: Course, master: Master, solved: bool) -> object:
         if exercise.check is not None:
             notebook.cells.append(new_code_cell(exercise.check, id=cell_id(question.id, "check")))
     return notebook
+
+
+def _exercise(course: Course, question: Question) -> Exercise:
+    try:
+        return kind_of(question).exercise(question, course.key[question.id], course.root)
+    except CourseError as error:
+        raise CourseError(with_line(course, question, str(error))) from None
 
 
 def _heading_without_numbers(course: Course, question: Question) -> str:
@@ -193,6 +202,8 @@ def _execute(notebook: Any, course: Course, master: Master) -> None:
     folder = course.root / SOLVED
     folder.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as responses:
+        # Some ipykernels bring a debugger along, which warns of how newer Pythons are built.
+        os.environ.setdefault("PYDEVD_DISABLE_FILE_VALIDATION", "1")
         # Responses of the author's own must neither be read nor overwritten.
         environment = {
             **os.environ,

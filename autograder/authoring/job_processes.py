@@ -12,7 +12,7 @@ from typing import Any
 
 from autograder.authoring.proof_job import Job, serve
 
-_PATIENCE = 120.0  # seconds without an answer after which a process is ended
+_PATIENCE = 120.0  # seconds of its own without an answer after which a process is ended
 
 
 def share_out(root: Path, jobs: Sequence[Job]) -> Iterator[tuple[Job, Any]]:
@@ -35,7 +35,7 @@ def share_out(root: Path, jobs: Sequence[Job]) -> Iterator[tuple[Job, Any]]:
                 try:
                     if process.pipe in ready:
                         result = process.pipe.recv()
-                    elif time.monotonic() - process.since > _PATIENCE:
+                    elif process.had() > _PATIENCE:
                         raise EOFError
                     else:
                         continue
@@ -72,6 +72,8 @@ def _processors() -> int:
 
 class _Process:
     job: Any = None
+    _when: float  # of the last look
+    _used: float  # seconds of a processor, by then
 
     def __init__(self, root: Path) -> None:
         context = multiprocessing.get_context("spawn")
@@ -79,13 +81,36 @@ class _Process:
         self._process = context.Process(target=serve, args=(root, theirs), daemon=True)
         self._process.start()
         theirs.close()
-        self.since = time.monotonic()
+        self._begin()
 
     def give(self, job: Job) -> None:
-        self.job, self.since = job, time.monotonic()
+        self.job = job
+        self._begin()
         self.pipe.send(job)
+
+    def had(self) -> float:
+        """The seconds for its job so far; none pass while it waits for a processor."""
+        now, (used, could_run) = time.monotonic(), _looked_at(self._process.pid)
+        slept = 0.0 if could_run else now - self._when
+        self._had += max(used - self._used, slept)
+        self._when, self._used = now, used
+        return self._had
+
+    def _begin(self) -> None:
+        self._had, self._when = 0.0, time.monotonic()
+        self._used, _ = _looked_at(self._process.pid)
 
     def end(self) -> None:
         self.pipe.close()
         self._process.kill()
         self._process.join()
+
+
+def _looked_at(process: int | None) -> tuple[float, bool]:
+    """A process's seconds of a processor, and whether it could run; where nothing tells, no."""
+    try:
+        state = Path(f"/proc/{process}/stat").read_bytes().rpartition(b")")[2].split()
+        ticks = int(state[11]) + int(state[12])
+        return ticks / os.sysconf("SC_CLK_TCK"), state[0] in (b"R", b"D")
+    except (OSError, AttributeError, ValueError, IndexError):
+        return 0.0, False

@@ -84,9 +84,10 @@ def read_masters(course: Course) -> list[Master]:
     masters = [_read_master(course, path) for path in paths]
     placed = [cell.exercise for master in masters for cell in master.cells if cell.exercise]
     for id in course.questions:
-        if placed.count(id) != 1:
+        if (times := placed.count(id)) != 1:
             raise CourseError(
-                f"{id} is asked {placed.count(id)} times in {MASTERS}; "
+                f"{id} is asked {times} times in {MASTERS}"
+                f"{_lines(masters, f'exercise={chr(34)}{id}{chr(34)}')}; "
                 f'give it exactly one cell # %% exercise="{id}".'
             )
     _check_predictions(course, masters)
@@ -112,7 +113,9 @@ def _check_predictions(course: Course, masters: list[Master]) -> None:
         times = [other for other, _ in asked].count(id)
         if times != 1:
             raise CourseError(
-                f'{id} is asked for {times} times in {MASTERS}; write predict("{id}") in one cell.'
+                f"{id} is asked for {times} times in {MASTERS}"
+                f"{_lines(masters, f'predict({chr(34)}{id}{chr(34)}')}; "
+                f'write predict("{id}") in one cell.'
             )
 
 
@@ -182,6 +185,17 @@ def _check_marks(path: Path, text: str, metadata: Iterable[str]) -> None:
             raise CourseError(
                 f"{_where(path, text, mark)} marks a cell by {mark!r}; perhaps {near!r} is meant."
             )
+
+
+def _lines(masters: Iterable[Master], sought: str) -> str:
+    """All lines of the masters in which a text stands, in brackets; empty if there is none."""
+    found = [
+        f"{master.path.name}, line {number}"
+        for master in masters
+        for number, line in enumerate(master.path.read_text(encoding="utf-8").splitlines(), 1)
+        if sought in line
+    ]
+    return f" ({'; '.join(found)})" if found else ""
 
 
 def _where(path: Path, text: str, sought: str, further: int = 0) -> str:

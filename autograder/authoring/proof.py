@@ -15,8 +15,10 @@ import re
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
+from autograder.authoring.at_key import with_line
 from autograder.authoring.build import build_student_notebooks, unexecuted_solved_notebooks
 from autograder.authoring.proof_by_mutants import prove_by_mutants, untested_promises
+from autograder.authoring.proof_for_students import prove_for_students
 from autograder.authoring.proof_of_texts import prove_texts
 from autograder.authoring.proof_of_variants import prove_variants
 from autograder.course import Course, load_course
@@ -28,7 +30,7 @@ from autograder.grading.submission import grade_contents
 from autograder.intake.submissions import Contents, Notebook
 from autograder.marking.marker import Marker
 from autograder.questions.registry import kind_of
-from autograder.questions.toml_lines import line_of
+from autograder.reports.pictures import Pictures
 from autograder.sandbox.launcher import Sandbox
 
 # Hidden inputs are random: what holds for one draw must hold for others.
@@ -53,16 +55,22 @@ def prove_course(
         solved, untouched = unexecuted_solved_notebooks(course), build_student_notebooks(course)
     except AutograderError as error:
         return [str(error)]
-    problems = [*_misplaced_files(course), *prove_texts(course)]
+    problems = [*_misplaced_files(course), *prove_texts(course), *prove_for_students(course)]
     report("mistakes")
     for question in course.questions.values():
         try:
             found = [*_prove_answer(course, question, key[question.id])]
         except AutograderError as error:
             found = [f"{question.id}: {error}"]
-        problems += [_with_line(course, question, problem) for problem in found]
+        problems += [with_line(course, question, problem) for problem in found]
     if problems:
         return problems
+    pictures = Pictures(course)
+    problems += [
+        with_line(course, course.question(id), f"{id}: {problem}")
+        for id in key
+        if (problem := pictures.problem(id, SEEDS[0]))
+    ]
     if course.varied:
         report("variants")
         problems += prove_variants(course)
@@ -80,9 +88,9 @@ def prove_course(
         for mark in grade_contents(_contents([b.text for b in solved], course), marker, sandbox):
             by_hand = kind_of(course.questions[mark.question]).by_hand
             if mark.status != ("recorded" if by_hand else "right"):
-                problems.append(
-                    f"{mark.question}: the solved notebook is marked {mark.status}: {mark.feedback}"
-                )
+                said = " ".join(filter(None, (mark.feedback, mark.told)))
+                problem = f"{mark.question}: the solved notebook is marked {mark.status}: {said}"
+                problems.append(with_line(course, course.questions[mark.question], problem))
         report("untouched notebooks")
         for mark in grade_contents(_contents([b.text for b in untouched], course), marker, sandbox):
             if mark.status != "not attempted":
@@ -128,20 +136,6 @@ def _prove_answer(course: Course, question: Question, answer: Answer) -> Iterato
                     "correct it, or choose inputs that tell the two apart."
                 ] = None
     yield from found
-
-
-def _with_line(course: Course, question: Question, problem: str) -> str:
-    """A problem of a key with the line that it quotes something of, or with that of its table."""
-    file = (ANSWERS / f"{question.chapter}.toml").as_posix()
-    text, tables = course.answer_tables[question.chapter]
-    first = line_of(text, (question.id,))
-    if first is None or file in problem:
-        return problem
-    begins = [line for id in tables if (line := line_of(text, (id,))) and line > first]
-    lines = text.splitlines()[first - 1 : min(begins, default=None)]
-    quoted = re.findall(r"'([^']+)'", problem)
-    at = next((n for one in quoted for n, line in enumerate(lines) if f'"{one}"' in line), 0)
-    return f"{problem.rstrip('.')} ({file}, line {first + at})."
 
 
 def _misplaced_files(course: Course) -> Iterator[str]:

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable, Iterator
 
+from autograder.authoring.at_key import with_line
 from autograder.authoring.findings import Findings, Survivor
 from autograder.authoring.mutation import try_all
 from autograder.course import Course
@@ -71,15 +73,16 @@ def _mutants(course: Course, question: Question, findings: Findings) -> Iterator
     declared = {entry.mutant: entry for entry in course.key[question.id].equivalent}
     for survivor in findings.survivors:
         if not any(_means(name, survivor.mutant.name) for name in declared):
-            yield _told(survivor)
+            yield _told(course, question, survivor)
     surviving = [survivor.mutant.name for survivor in findings.survivors]
     for name in declared:
         if any(_means(name, other) for other in surviving):
             continue
         if any(_means(name, other) for other in findings.names):
-            yield f"the mutant {name!r} is told apart by the cases; remove it from equivalent."
+            problem = f"the mutant {name!r} is told apart by the cases; remove it from equivalent."
         else:
-            yield f"there is no mutant {name!r}; correct or remove it in equivalent."
+            problem = f"there is no mutant {name!r}; correct or remove it in equivalent."
+        yield with_line(course, question, problem)
 
 
 def _means(declared: str, name: str) -> bool:
@@ -89,13 +92,16 @@ def _means(declared: str, name: str) -> bool:
     return name == declared
 
 
-def _told(survivor: Survivor) -> str:
+def _told(course: Course, question: Question, survivor: Survivor) -> str:
     mutant = survivor.mutant
     rows = "\n".join(f"    {row}" for row in mutant.diff.splitlines())
+    todo = "Add a case that tells it from the right response, or declare it in equivalent."
+    name = json.dumps(mutant.name, ensure_ascii=False)  # a string of TOML too
     return (
         f"a mutant earns everything ({mutant.operator}): {mutant.name}\n{rows}\n"
-        f"    It passed {', '.join(survivor.passed)}. Add a case that tells it from the right "
-        "response, or declare it in equivalent, with the reason."
+        f"    It passed {', '.join(survivor.passed)}. "
+        f"{with_line(course, question, todo).rstrip('.')}:\n"
+        f'    {{mutant = {name}, why = "..."}}'
     )
 
 

@@ -22,6 +22,8 @@ from autograder.questions.strict import Place, nearest
 from autograder.questions.toml_lines import Path
 
 _MATH = re.compile(r"\$\$.*?\$\$|\$[^$]{0,400}\$", re.DOTALL)
+_CODE = re.compile(r"(`+).*?\1", re.DOTALL)
+_LEFT_OPEN = re.compile(r"(?<!\\)\$[^$]*[\\^_=]")  # and not an amount of money
 _ESCAPES = {"\t": "t", "\b": "b", "\f": "f", "\r": "r", "\n": "n"}
 _EATEN = re.compile(r"[\b\f](?=[A-Za-z])|\r(?=[A-Za-z])")
 _EATEN_IN_MATH = re.compile(r"\t(?=[A-Za-z])|\n(?=(?:u|abla|eq|ot|otin)\b)")
@@ -62,6 +64,8 @@ def _problems(table: object, place: Place, names: Collection[str]) -> Iterator[s
                     path,
                 )
             )
+        if _LEFT_OPEN.search(_MATH.sub("", _CODE.sub("", text))):
+            yield str(place.error("a $ has no partner: a formula begins and ends with one", path))
         if names and not KEPT & set(map(str, path)):
             for found in _BRACES.finditer(text):
                 if problem := _misspelt(found, text, names):

@@ -14,6 +14,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from autograder.authoring.at_key import with_line
 from autograder.course import Course
 from autograder.course.filling import value_of
 from autograder.course.questions import Question
@@ -44,7 +45,7 @@ def prove_variants(course: Course) -> Iterator[str]:
         for problem, (numbers, count) in told.items():
             shown = ", ".join(f"{name} = {value}" for name, value in numbers.items())
             more = f" (and {count - 1} more variants)" if count > 1 else ""
-            yield f"{id} with {shown}{more}: {problem}"
+            yield with_line(course, course.question(id), f"{id} with {shown}{more}: {problem}")
 
 
 def _chosen(variables: Variables) -> list[int]:

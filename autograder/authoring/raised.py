@@ -10,7 +10,11 @@ from autograder.authoring.masters import Master
 from autograder.authoring.pyproject import distribution
 from autograder.course.own_code import OWN
 
-_LINE = re.compile(r"Cell In\s?\[\d+\], line (\d+)|File <ipython-input[^>]*>:(\d+)")
+# As one IPython after the other has said it; the oldest marks the line by an arrow.
+_LINE = re.compile(
+    r"Cell In\s?\[\d+\], line (\d+)|File <ipython-input[^>]*>:(\d+)"
+    r"|ipykernel_\d+/\d+\.py\"?, line (\d+)|ipykernel_\d+/\d+\.py in (?:.*\n)+?-+> (\d+)"
+)
 _COLORS = re.compile(r"\x1b\[[0-9;]*m")
 _NO_MODULE = re.compile(r"No module named '([\w.]+)'")
 
@@ -21,7 +25,9 @@ def raised(master: Master, cell: Any, question: str | None) -> str:
     ``question`` is the id of the exercise whose solved cell or check it is, if it is one.
     """
     error = next(output for output in cell.outputs if output.output_type == "error")
-    said = f"{error.ename}: {error.evalue}".splitlines()[0].rstrip(".: ")
+    # What newer Pythons raise of code that only lacks its end is a SyntaxError to everybody else.
+    name = error.ename.replace("_IncompleteInputError", "SyntaxError")
+    said = f"{name}: {error.evalue}".splitlines()[0].rstrip(".: ")
     missing = _NO_MODULE.search(said)
     cure = _how_to_have(missing[1].partition(".")[0], master) if missing else ""
     if question is not None:
@@ -34,7 +40,7 @@ def raised(master: Master, cell: Any, question: str | None) -> str:
 
 def _line_in_cell(traceback: str) -> int:
     found = _LINE.search(_COLORS.sub("", traceback))
-    return int(found[1] or found[2]) if found else 1
+    return int(next(filter(None, found.groups()))) if found else 1
 
 
 def _how_to_have(module: str, master: Master) -> str:

@@ -6,6 +6,7 @@ TOML (VS Code) and other editors built on taplo find them by the file ``.taplo.t
 
 from __future__ import annotations
 
+import inspect
 import json
 from collections.abc import Iterator
 
@@ -142,4 +143,16 @@ def _schema_of(kind: type[Written], title: str) -> dict[str, object]:
 
 
 def _text(schema: dict[str, object]) -> str:
-    return json.dumps(schema, indent=2, ensure_ascii=False) + "\n"
+    return json.dumps(_cleaned(schema), indent=2, ensure_ascii=False) + "\n"
+
+
+def _cleaned(part: object) -> object:
+    """Descriptions without the indentation of docstrings, which newer Pythons remove themselves."""
+    if isinstance(part, dict):
+        return {
+            name: inspect.cleandoc(inner)
+            if name == "description" and isinstance(inner, str)
+            else _cleaned(inner)
+            for name, inner in part.items()
+        }
+    return [_cleaned(inner) for inner in part] if isinstance(part, list) else part

@@ -7,12 +7,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from autograder.course.filling import fill
-from autograder.errors import CourseError
+from autograder.course.filling import NotFilled, fill
 from autograder.questions.answer import Alternative, Answer
 from autograder.questions.question import Question
 from autograder.questions.registry import kind_of
-from autograder.questions.strict import Place, read_table
+from autograder.questions.strict import Place, path_of, read_table
 
 __all__ = ["Alternative", "Answer", "answer_from_table"]
 
@@ -36,11 +35,11 @@ def answer_from_table(
     if numbers is not None and isinstance(table, dict):
         try:
             table = fill(table, numbers, kind.formulas)
-        except CourseError as error:
-            raise place.error(str(error).rstrip(".")) from None
+        except NotFilled as error:
+            raise error.at(place) from None
     answer = read_table(table, kind.answer_type, place, id=question.id)
     try:
         kind.check_answer(question, answer)
     except ValueError as error:
-        raise place.error(str(error)) from None
+        raise place.error(str(error), path_of(error)) from None
     return answer

@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 import os
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
@@ -232,7 +232,9 @@ class Course:
                     (id,),
                 )
             for id in asked.keys() - tables.keys():
-                raise CourseError(f"{id} has no answer; add one to {path.relative_to(self.root)}.")
+                written = next(one for one in chapter.written if one.table["id"] == id)
+                file = path.relative_to(self.root).as_posix()
+                raise written.place.error(f"it has no answer; add one to {file}", ("id",))
             read[chapter.name] = text, tables
         return read
 
@@ -252,9 +254,9 @@ class Course:
 
     @cached_property
     def version(self) -> str:
-        """A fingerprint of everything that can change a mark: the key, what student code finds
-        around it, the limits on it, and the autograder.
+        """A fingerprint of everything that can change a mark.
 
+        That is the key, what student code finds around it, the limits on it, and the autograder.
         Of files only the contents count, since a fresh checkout has other times; of a large one,
         which no course has so far, the size and the ends.
         """
@@ -349,7 +351,8 @@ def load_course(root: Path | None = None) -> Course:
         questions = tuple(entry.question() for entry in written)
         told = {entry.table.get("story") for entry in written}
         tables = table.get("prediction", [])
-        predictions = _read_predictions(tables, text, path.relative_to(root), told)
+        heard = {name: told_by for name, told_by in stories.items() if name in told}
+        predictions = _read_predictions(tables, text, path.relative_to(root), heard)
         chapters.append(Chapter(path.stem, title, questions, written, predictions))
     if not chapters:
         raise CourseError(f"{root / QUESTIONS} holds no questions; add a CHAPTER.toml.")
@@ -404,17 +407,24 @@ def _read_stories(stories: object, text: str, file: Path) -> dict[str, Variables
 
 
 def _read_predictions(
-    tables: object, text: str, file: Path, told: Collection[object]
+    tables: object, text: str, file: Path, stories: Mapping[str, Variables]
 ) -> tuple[Prediction, ...]:
     if not (isinstance(tables, list) and all(isinstance(table, dict) for table in tables)):
-        raise CourseError(f"{file}: each prediction is a table that begins with [[prediction]].")
+        raise Place(file.as_posix(), text).error(
+            "each prediction is a table that begins with [[prediction]]", ("prediction",)
+        )
     found = []
     for number, table in enumerate(tables):
         words = f"prediction {table.get('id', '?')!r} in {file.as_posix()}"
         place = Place(words, text, ("prediction", number))
         prediction = read_table(table, Prediction, place, chapter=file.stem)
-        if prediction.story and prediction.story not in told:
-            raise place.error("no question of this file tells that story", ("story",))
+        if prediction.story:
+            if prediction.story not in stories:
+                raise place.error("no question of this file tells that story", ("story",))
+            try:
+                prediction.with_numbers(stories[prediction.story].numbers(0))
+            except CourseError as error:
+                raise place.error(str(error).rstrip("."), ("prompt",)) from None
         found.append(prediction)
     return tuple(found)
 
@@ -423,26 +433,30 @@ def _reject_duplicates(chapters: list[Chapter]) -> None:
     placed: dict[str, str] = {}
     predicted: set[str] = set()
     for chapter in chapters:
-        for prediction in chapter.predictions:
+        file = f"{chapter.name}.toml"
+        text = next((written.text for written in chapter.written), "")
+        for number, prediction in enumerate(chapter.predictions):
             if prediction.id in predicted:
-                raise CourseError(f"Two predictions have the id {prediction.id}; rename one.")
+                words = f"prediction {prediction.id!r} in {(QUESTIONS / file).as_posix()}"
+                place = Place(words, text, ("prediction", number))
+                raise place.error("two predictions have this id; rename one", ("id",))
             predicted.add(prediction.id)
         stored: dict[str, str] = {}
-        file = f"{chapter.name}.toml"
-        for question in chapter.questions:
+        for question, written in zip(chapter.questions, chapter.written, strict=True):
             if question.id in placed:
                 files = " and ".join(dict.fromkeys([placed[question.id], file]))
-                raise CourseError(
-                    f"Two questions have the id {question.id} (in {files}); rename one."
+                raise written.place.error(
+                    f"two questions have this id (in {files}); rename one", ("id",)
                 )
             placed[question.id] = file
             if question.name is None:
                 continue
             if question.name in stored:
-                raise CourseError(
-                    f"{stored[question.name]} and {question.id} in {file} both store their "
-                    f"response in {question.name!r}; rename one, or the later cell would "
-                    "overwrite the earlier."
+                field = next(key for key, value in written.table.items() if value == question.name)
+                raise written.place.error(
+                    f"{stored[question.name]} and {question.id} both store their response in "
+                    f"{question.name!r}; rename one, or the later cell would overwrite the earlier",
+                    (field,),
                 )
             stored[question.name] = question.id
 

@@ -15,11 +15,25 @@ from functools import partial
 
 from autograder.errors import CourseError
 from autograder.questions.formula import CONSTANTS, FUNCTIONS, evaluate_formula
+from autograder.questions.strict import Place
+from autograder.questions.toml_lines import Path
 
 # What names things stays the same in every variant; the notebook's code reads variables itself.
 KEPT = frozenset({"id", "kind", "name", "variable", "function", "code", "story", "variables"})
 _BRACES = re.compile(r"\{([^{}]*)\}")
 _MATH = re.compile(r"(\$\$.*?\$\$|\$[^$\n]*\$)", re.DOTALL)
+
+
+class NotFilled(CourseError):
+    """A text or a formula that its numbers do not fit, and the path to it in its table."""
+
+    def __init__(self, error: CourseError, step: str | int) -> None:
+        super().__init__(str(error))
+        self.path: Path = (step, *error.path) if isinstance(error, NotFilled) else (step,)
+
+    def at(self, place: Place) -> CourseError:
+        """The same, with the file and the line."""
+        return place.error(str(self).rstrip("."), self.path)
 
 
 def fill(
@@ -28,16 +42,20 @@ def fill(
     """The table with numbers in all texts, and in the fields called ``formulas`` their values.
 
     Raises:
-        CourseError: if a formula cannot be evaluated.
+        NotFilled: if a formula cannot be evaluated.
     """
     filled: dict[str, object] = {}
     for key, value in table.items():
-        if key in formulas and isinstance(value, str):
-            # As an author would write it down: the last bits are those of one order of operations.
-            exact = value_of(value, numbers)
-            filled[key] = exact if isinstance(exact, int) else float(f"{exact:.9g}")
-        else:
-            filled[key] = value if key in KEPT else _filled(value, numbers, formulas)
+        try:
+            if key in formulas and isinstance(value, str):
+                # As an author would write it down: the last bits are those of one order of
+                # operations.
+                exact = value_of(value, numbers)
+                filled[key] = exact if isinstance(exact, int) else float(f"{exact:.9g}")
+            else:
+                filled[key] = value if key in KEPT else _filled(value, numbers, formulas)
+        except CourseError as error:
+            raise NotFilled(error, key) from None
     return filled
 
 
@@ -45,7 +63,13 @@ def _filled(value: object, numbers: Mapping[str, int | float], formulas: Collect
     if isinstance(value, str):
         return fill_text(value, numbers)
     if isinstance(value, list):
-        return [_filled(entry, numbers, formulas) for entry in value]
+        entries = []
+        for position, entry in enumerate(value):
+            try:
+                entries.append(_filled(entry, numbers, formulas))
+            except CourseError as error:
+                raise NotFilled(error, position) from None
+        return entries
     if isinstance(value, dict):
         return fill(value, numbers, formulas)
     return value

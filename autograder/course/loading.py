@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib
+import inspect
 import sys
 from collections.abc import Callable
 from difflib import get_close_matches
@@ -32,6 +33,15 @@ def load_object(dotted_name: str, root: Path) -> Callable[..., Value]:
             f"The key names {dotted_name!r}{_where(dotted_name, root)}, which cannot be loaded: "
             f"{error}{_meant(module_name, name)}."
         ) from error
+
+
+def place_of(function: Callable[..., Value], root: Path) -> str:
+    """The file and the line of a function of the course, in brackets; empty if unknown."""
+    try:
+        file, (_, line) = inspect.getsourcefile(function), inspect.getsourcelines(function)
+        return f" ({Path(file or '').resolve().relative_to(root).as_posix()}, line {line})"
+    except (OSError, TypeError, ValueError):  # not written in a file, or not of the course
+        return ""
 
 
 def _where(dotted_name: str, root: Path) -> str:

@@ -17,7 +17,7 @@ from msgspec import Meta
 from autograder.course.filling import fill_text
 from autograder.errors import UsageError
 from autograder.language import _
-from autograder.questions.written import Text, Written
+from autograder.questions.written import FieldError, Text, Written
 
 ID = r"^P\d+(\.\d+)*[a-z]?$"
 MOST_DIGITS = 6  # of a number in words
@@ -46,13 +46,13 @@ class Prediction(Written, frozen=True, kw_only=True):
     def __post_init__(self) -> None:
         super().__post_init__()
         if bool(self.choices) == (self.between is not None):
-            raise ValueError("say either choices = [...] or between = [least, largest]")
+            raise FieldError("say either choices = [...] or between = [least, largest]", "between")
         if self.choices and (len(self.choices) < 2 or len(set(self.choices)) < len(self.choices)):
-            raise ValueError("give two different choices or more")
+            raise FieldError("give two different choices or more", "choices")
         if self.choices and (self.unit or self.unit_of_one or self.integer):
-            raise ValueError("a choice has no unit and is no integer; remove them")
+            raise FieldError("a choice has no unit and is no integer; remove them", "unit")
         if self.between is not None and not self.between[0] < self.between[1]:
-            raise ValueError("the first number of between must be below the second")
+            raise FieldError("the first number of between must be below the second", "between")
 
     def with_numbers(self, numbers: Mapping[str, int | float]) -> Prediction:
         """The same with numbers in its prompt."""

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
-from autograder.course.filling import fill
+from autograder.course.filling import NotFilled, fill
 from autograder.course.selections import DRAW, FIELD, drawn, read_draws
 from autograder.questions.question import Question
 from autograder.questions.registry import has_kind, kind_named, kind_names
@@ -44,7 +44,10 @@ class Written:
         if self.variables is None:
             return question_from_table(self.table, self.chapter, self.text, self.position)
         numbers = self.variables.numbers(variant)
-        filled = fill(self.table, numbers)
+        try:
+            filled = fill(self.table, numbers)
+        except NotFilled as error:
+            raise error.at(self.place) from None
         if FIELD in self.table:
             listed = kind_named(self.table["kind"]).drawn_fields[0]
             filled = drawn(filled, listed, self.table[FIELD], numbers)

@@ -18,6 +18,7 @@ from autograder.course.course import Course
 from autograder.course.own_code import OWN, put_first
 from autograder.course.questions import Question
 from autograder.errors import CourseError
+from autograder.questions.strict import Place
 
 FOLDER = Path("solutions/variants")
 TYPED = "typed.toml"
@@ -86,12 +87,14 @@ def _typed(course: Course) -> dict[str, list[str]]:
     if not path.is_file():
         return {}
     try:
-        found = tomllib.loads(path.read_text(encoding="utf-8"))
+        text = path.read_text(encoding="utf-8")
+        found = tomllib.loads(text)
     except (OSError, ValueError) as error:
         raise CourseError(f"{FOLDER / TYPED} cannot be read: {error}.") from error
+    place = Place((FOLDER / TYPED).as_posix(), text)
     for id, texts in found.items():
         if id not in course.questions:
-            raise CourseError(f"{FOLDER / TYPED} has {id!r}, which is not a question.")
+            raise place.error(f"it has {id!r}, which is not a question", (id,))
         if not (isinstance(texts, list) and all(isinstance(text, str) for text in texts)):
-            raise CourseError(f"{FOLDER / TYPED} must give {id!r} a list of texts.")
+            raise place.error(f"it must give {id!r} a list of texts", (id,))
     return found

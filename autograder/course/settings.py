@@ -11,7 +11,7 @@ from msgspec import Meta
 
 from autograder.course.toml_file import read_toml
 from autograder.questions.strict import Place, nearest, read_table
-from autograder.questions.written import Written
+from autograder.questions.written import FieldError, Written
 
 _LARGEST = 1_000_000  # beyond all use, and within what timers and counters can take
 
@@ -41,9 +41,10 @@ class Settings(Written, frozen=True, kw_only=True):
         super().__post_init__()
         for name in self.packages:
             if not all(part.isidentifier() for part in name.split(".")):
-                raise ValueError(
+                raise FieldError(
                     f"packages names {name!r}; give names as they are imported, such as "
-                    'packages = ["pandas"]'
+                    'packages = ["pandas"]',
+                    "packages",
                 )
 
 

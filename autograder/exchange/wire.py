@@ -205,7 +205,7 @@ def read_message(
     max_json: int = MAX_JSON,
     max_arrays: int = MAX_ARRAYS,
 ) -> object:
-    """Read one message; ``read_exactly(n)`` returns n bytes or raises EOFError.
+    """Read one message, of which ``read_exactly(n)`` gives the next n bytes.
 
     Raises:
         WireError: if the frame claims more than the caps, before memory is taken for it, or is

@@ -63,9 +63,9 @@ def give(
     comment: str,
     author: str,
 ) -> float:
-    """Keep a verdict: a level for each criterion, or points where there is no rubric.
+    """Keep a verdict and return its points.
 
-    Returns the points.
+    It has a level for each criterion, or points where there is no rubric.
 
     Raises:
         UsageError: if a criterion has no level, or the points are none.

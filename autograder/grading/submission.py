@@ -9,7 +9,7 @@ from dataclasses import replace
 from autograder.course import Course
 from autograder.course.predictions import Guess
 from autograder.errors import AutograderError, machine_error
-from autograder.exchange.identity import said_to_be
+from autograder.exchange.identity import said_in_code, said_to_be
 from autograder.grading.chapter import grade_chapter
 from autograder.grading.graded import Graded, grader_failed, same_mark_for_all
 from autograder.intake.submissions import Contents, Submission
@@ -51,7 +51,7 @@ def grade_submission(
         fingerprint, notes = "", (*notes, said)
     seconds = time.monotonic() - began
     doubtful = sandbox.doubt.is_doubtful
-    said = said_to_be(contents.sidecars) if marker.course.personal else ""
+    said = _says(contents) if marker.course.personal else ""
     predictions = predictions_of(contents, marker.course)
     return Graded(
         *(submission, "graded", fingerprint, marks, notes, seconds, doubtful, said, predictions),
@@ -85,7 +85,7 @@ def grade_contents(
     Where students have numbers of their own, these are those of whom the work says it is from.
     """
     contents = _by_chapter(contents, marker.course)
-    student = said_to_be(contents.sidecars)
+    student = _says(contents)
     marker = marker.for_student(student)
     deadline = time.monotonic() + marker.course.settings.submission_seconds
     return [
@@ -101,6 +101,12 @@ def grade_contents(
             student if marker.course.personal else "",
         )
     ]
+
+
+def _says(contents: Contents) -> str:
+    """Who the work says it is from: its responses, or its notebooks where those are not there."""
+    cells = (cell for name in sorted(contents.notebooks) for cell in contents.notebooks[name].cells)
+    return said_to_be(contents.sidecars) or said_in_code(cells)
 
 
 def _by_chapter(contents: Contents, course: Course) -> Contents:

@@ -30,15 +30,15 @@ or ``name`` it is called, or whose number or name stands where Canvas and Moodle
 
 from __future__ import annotations
 
-import math
 import tomllib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from datetime import UTC, datetime, timedelta, tzinfo
+from datetime import datetime, timedelta, tzinfo
 from pathlib import Path
 from zoneinfo import ZoneInfo, ZoneInfoNotFoundError
 
 from autograder.errors import CourseError
+from autograder.intake.lateness import LatePolicy
 from autograder.intake.matching import Match, match_all
 from autograder.intake.origin import Origin, as_utc_text
 from autograder.intake.people import join_people, read_people
@@ -47,27 +47,6 @@ from autograder.intake.tables import read_text
 from autograder.intake.written_class import WrittenClass, WrittenLate, WrittenStudent
 from autograder.questions import toml_lines
 from autograder.questions.strict import Place, read_table
-
-
-@dataclass(frozen=True)
-class LatePolicy:
-    """What lateness costs; all times know their zone."""
-
-    due: datetime
-    grace: timedelta
-    percent_a_day: float
-    most_percent: float
-
-    def days_late(self, handed_in: datetime, extension_days: float = 0.0) -> int:
-        """The days that have begun since the due time; none within the grace."""
-        # In the zone's own clock: three days later is the same hour, also when summer time ends.
-        due = (self.due + timedelta(days=extension_days)).astimezone(UTC)
-        late = handed_in.astimezone(UTC) - due
-        return 0 if late <= self.grace else math.ceil(late / timedelta(days=1))
-
-    def percent(self, days: int) -> float:
-        """What that many days cost, in percent of the points earned."""
-        return min(self.most_percent, days * self.percent_a_day)
 
 
 @dataclass(frozen=True)

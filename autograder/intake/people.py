@@ -148,8 +148,9 @@ def _as_called(name: str) -> str:
 
 
 def join_people(lists: Sequence[Sequence[Person]]) -> tuple[Person, ...]:
-    """The people of several lists, each once: those who share an identifier, or a name that only
-    one person has in each list.
+    """The people of several lists, each once.
+
+    One are those who share an identifier, or a name that only one person has in each list.
     """
     joined: list[Person] = []
     for people in lists:

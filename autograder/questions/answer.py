@@ -6,7 +6,7 @@ from typing import Annotated
 
 from msgspec import Meta, field
 
-from autograder.questions.written import Credit, Text, Written
+from autograder.questions.written import Credit, FieldError, Text, Written, second_of
 
 
 class Alternative(Written, frozen=True, kw_only=True):
@@ -29,7 +29,7 @@ class Alternative(Written, frozen=True, kw_only=True):
     def __post_init__(self) -> None:
         super().__post_init__()
         if self.is_mistake and not self.feedback:
-            raise ValueError(f"the mistake {self.name!r} has no feedback")
+            raise FieldError(f"the mistake {self.name!r} has no feedback", "feedback")
 
 
 class PublicAlternative(Alternative, frozen=True, kw_only=True):
@@ -47,7 +47,7 @@ class PublicAlternative(Alternative, frozen=True, kw_only=True):
     def __post_init__(self) -> None:
         super().__post_init__()
         if self.public and not self.is_mistake:
-            raise ValueError(f"{self.name!r} is right; only a mistake may be public")
+            raise FieldError(f"{self.name!r} is right; only a mistake may be public", "public")
 
 
 class Equivalent(Written, frozen=True, kw_only=True):
@@ -74,6 +74,5 @@ class Answer(Written, frozen=True, kw_only=True):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        names = [alternative.name for alternative in self.alternatives]
-        if len(set(names)) != len(names):
-            raise ValueError("two alternatives have the same name")
+        if (twice := second_of(entry.name for entry in self.alternatives)) is not None:
+            raise FieldError("two alternatives have the same name", "alternative", twice, "name")

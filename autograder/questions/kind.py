@@ -247,6 +247,10 @@ class Kind(ABC, Generic[Q, A]):
             if not alternative.in_bundle:
                 yield alternative.feedback
 
+    def right_texts(self, answer: A) -> tuple[str, ...]:
+        """What a student could type to earn everything, where that is a text."""
+        return (answer.code,) if answer.code else ()
+
     def secret_numbers(self, question: Q, answer: A) -> Iterator[str]:
         """The right values of a key, as a student would see them printed."""
         yield from ()

@@ -7,7 +7,7 @@ from typing import Annotated, ClassVar
 from msgspec import Meta, field
 
 from autograder.questions.variables import Number, Steps
-from autograder.questions.written import ID, Points, Text, Written
+from autograder.questions.written import ID, FieldError, Points, Text, Written
 
 
 class Question(Written, frozen=True, kw_only=True, tag_field="kind"):
@@ -34,7 +34,9 @@ class Question(Written, frozen=True, kw_only=True, tag_field="kind"):
     def __post_init__(self) -> None:
         super().__post_init__()
         if self.story and self.variables:
-            raise ValueError("it has the numbers of a story; remove story or variables")
+            raise FieldError(
+                "it has the numbers of a story; remove story or variables", "variables"
+            )
 
     @property
     def points(self) -> float:

@@ -16,7 +16,7 @@ import msgspec
 
 from autograder.errors import CourseError
 from autograder.questions import toml_lines
-from autograder.questions.written import BLANK, ID, NAME, Written, check_python_name
+from autograder.questions.written import BLANK, ID, NAME, FieldError, Written, check_python_name
 
 Table = dict[str, Any]  # of TOML, before this reader has seen it
 
@@ -69,7 +69,12 @@ def read_table(table: object, kind: type[W], place: Place, **given: str) -> W:
         return msgspec.convert({**table, **given}, kind)
     except msgspec.ValidationError as error:
         problem, inside = _explained(str(error), table, kind)
-        raise place.error(problem, inside) from None
+        raise place.error(problem, inside + path_of(error.__cause__)) from None
+
+
+def path_of(error: BaseException | None) -> toml_lines.Path:
+    """The field that an error is about, within the table that it was found in."""
+    return error.path if isinstance(error, FieldError) else ()
 
 
 def _explained(

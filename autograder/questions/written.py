@@ -2,14 +2,15 @@
 
 A table is a `msgspec.Struct`. Its fields say what may stand in the file, and both the strict reader
 (`autograder.questions.strict`) and the schema for editors (`autograder.authoring.schema`) follow
-from them. What no type can say is checked in ``__post_init__``, which raises a `ValueError` whose
-text is the problem alone; the reader adds where it is.
+from them. What no type can say is checked in ``__post_init__``, which raises a `FieldError` with
+the problem alone and the field; the reader adds the file and the line.
 """
 
 from __future__ import annotations
 
 import keyword
 import re
+from collections.abc import Iterable
 from typing import Annotated, ClassVar
 
 import msgspec
@@ -27,6 +28,14 @@ Points = Annotated[
 Credit = Annotated[float, Meta(ge=0, le=1, description="the share of the points it earns, 0 to 1")]
 
 
+class FieldError(ValueError):
+    """What is wrong with a table that no type can say, and the path to the field that says it."""
+
+    def __init__(self, problem: str, *path: str | int) -> None:
+        super().__init__(problem)
+        self.path = path
+
+
 class Written(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """A table with known fields, all of the right type; texts have no blanks around them."""
 
@@ -39,11 +48,21 @@ class Written(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
                 msgspec.structs.force_setattr(self, field, value.strip())
 
 
-def check_python_name(what: str, name: str) -> None:
-    """Whether a variable, a function or a symbol may be called so.
+def second_of(names: Iterable[str]) -> int | None:
+    """Where a name stands that stood before; None if each stands once."""
+    seen: set[str] = set()
+    for position, name in enumerate(names):
+        if name in seen:
+            return position
+        seen.add(name)
+    return None
+
+
+def check_python_name(what: str, name: str, *path: str | int) -> None:
+    """Whether a variable, a function or a symbol may be called so; ``path`` leads to its field.
 
     Raises:
-        ValueError: if not.
+        FieldError: if not.
     """
     if not re.fullmatch(NAME, name) or keyword.iskeyword(name):
-        raise ValueError(f"{what} is {name!r}, which is not a Python name")
+        raise FieldError(f"{what} is {name!r}, which is not a Python name", *path)

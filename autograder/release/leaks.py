@@ -83,15 +83,16 @@ def _pairs(source: str) -> frozenset[str]:
         for block in (getattr(node, name, None) for name in ("body", "orelse", "finalbody")):
             if not isinstance(block, list):
                 continue
-            said = [
-                ast.unparse(statement)
-                for statement in block
-                if not (
-                    isinstance(statement, ast.Expr) and isinstance(statement.value, ast.Constant)
-                )
-            ]
+            statements = [statement for statement in block if not _is_constant(statement)]
+            if len(statements) < 2:  # to write out one takes long, and it has no neighbour
+                continue
+            said = [ast.unparse(statement) for statement in statements]
             found |= {f"{a}\n{b}" for a, b in pairwise(said) if len(a) + len(b) >= _SHORTEST_CODE}
     return frozenset(found)
+
+
+def _is_constant(statement: ast.stmt) -> bool:
+    return isinstance(statement, ast.Expr) and isinstance(statement.value, ast.Constant)
 
 
 def _code_cells(notebook: str) -> Iterator[str]:

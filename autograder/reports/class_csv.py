@@ -16,8 +16,9 @@ from autograder.reports.statistics import needs_help, section_of
 def write_class_csv(
     folder: Path, course: Course, records: Sequence[Record], found: ClassFindings | None = None
 ) -> None:
-    """Write class_questions.csv, class_mistakes.csv, class_students.csv, and class_predictions.csv
-    if the course asks for predictions.
+    """Write the tables of a class: class_questions.csv, class_mistakes.csv, class_students.csv.
+
+    If the course asks for predictions there is class_predictions.csv as well.
 
     ``found`` is what was gathered from the records, if that was done before.
     """

@@ -12,7 +12,7 @@ from __future__ import annotations
 import numpy as np
 
 from autograder.course import Course
-from autograder.course.loading import load_object
+from autograder.course.loading import load_object, place_of
 from autograder.exchange.messages import Message
 from autograder.marking import Mark
 from autograder.marking.marker import Marker
@@ -59,6 +59,33 @@ class Pictures:
             # What a student's function returned may be anything: then there is nothing to draw.
             return ""
         return draw(described) if described else ""
+
+    def problem(self, question: str, seed: int) -> str:
+        """Why the right response has no picture, which nobody meant; empty if it has one.
+
+        A response may be anything and then has none, without a word: only here is it told.
+        """
+        describe = self._describe.get(question)
+        if describe is None:
+            return ""
+        marker = self._markers.setdefault(seed, Marker(self._course, seed))
+        example = kind_of(self._course.question(question)).example(marker.drawn(question))
+        if example is None:
+            return (
+                "its picture is never drawn: it shows the first case, which must be public and "
+                "have a value; put such a one first"
+            )
+        try:
+            described = describe(*example, example[1])
+            if described:
+                draw(described)
+        except Exception as error:  # the author's own code may raise anything
+            return (
+                f"its picture, called with (case, expected, actual), raises "
+                f"{type(error).__name__} for the right result: {error}"
+                f"{place_of(describe, self._course.root)}; correct it"
+            )
+        return ""
 
 
 def draw(described: Message) -> str:

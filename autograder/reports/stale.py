@@ -14,9 +14,9 @@ class StaleMarks(AutograderError):
 
 
 def require_current(course: Course, records: Sequence[Record]) -> str:
-    """Refuse to hand out points that the course no longer gives.
+    """Refuse to hand out points that the course no longer gives, and say what else has changed.
 
-    Returns a sentence if anything else has changed since, such as the words of a question.
+    That is a sentence, as of the words of a question, or nothing.
 
     Raises:
         StaleMarks: if points or questions have changed since the work was marked.

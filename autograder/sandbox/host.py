@@ -398,8 +398,10 @@ def _is_closed(folder: Path) -> bool:
 
 
 def stage(root: Path, folder: Path) -> None:
-    """Copy what a notebook's working folder shows: the course's notebooks folder without the
-    notebooks themselves and without anybody's responses.
+    """Copy what a notebook's working folder shows.
+
+    That is the course's notebooks folder without the notebooks themselves and without anybody's
+    responses.
     """
     source = root / "notebooks"
     target = folder / "notebooks"

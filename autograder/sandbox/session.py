@@ -74,9 +74,9 @@ class Session:
     def run(self, cells: list[str], names: list[str]) -> Report:
         """Run the cells; ``names`` are the variables whose understood value is wanted.
 
-        Returns ``errors`` (the class of its exception, ``timeout``, ``killed`` or None, a cell),
-        ``responses`` (what ``ask(...).respond(...)`` recorded, by question) and ``understood`` (a
-        short text a name).
+        The report has ``errors`` (for each cell the class of its exception, ``timeout``, ``killed``
+        or None), ``responses`` (what ``ask(...).respond(...)`` recorded, by question) and
+        ``understood`` (a short text for each name).
 
         Raises:
             Stopped: if no run of the notebook came to its end.
@@ -357,8 +357,9 @@ class _GivenUp(Late):
 
 @dataclass
 class _Limit:
-    """Seconds of the child's own time; before ``due`` they cannot have passed, if it is one process
-    that sleeps or works.
+    """Seconds of the child's own time.
+
+    Before ``due`` they cannot have passed, if it is one process that sleeps or works.
     """
 
     seconds: float

@@ -103,7 +103,7 @@ class Responses:
     def mend(self) -> str:
         """Put right a damaged or missing file as far as possible, and say what was done.
 
-        Returns an empty string where there was nothing to do.
+        Where there was nothing to do it says nothing: the text is empty.
 
         Raises:
             ResponsesError: if the folder cannot be written.

@@ -104,7 +104,7 @@ def note(axes: Axes, text: str) -> None:
 def predicted_beside(fig: Figure, predicted: object, unit: str = "", truth: str = "") -> str:
     """Write what was predicted above the picture, and what is true if that can be said so briefly.
 
-    Returns the words, for the text of the picture.
+    The same words come back, for the text of the picture.
     """
     if predicted is None:
         said = "Not predicted."

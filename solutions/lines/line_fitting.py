@@ -29,8 +29,9 @@ def fit_line(points: np.ndarray, weights: np.ndarray | None = None) -> Line:
     that are 1000 km away from the origin give as exact a line as points near it. Both arrays
     stay as they are.
 
-    Raises ValueError if the points do not determine a line: there are fewer than two different
-    points, or the cloud is equally wide in all directions, as the corners of a square are.
+    Raises:
+        ValueError: if the points do not determine a line: there are fewer than two different
+            points, or the cloud is equally wide in all directions, as the corners of a square are.
     """
     if np.ma.is_masked(points) or np.ma.is_masked(weights):  # or the mask would be dropped
         raise ValueError("No line: some points are masked; leave them out first.")

@@ -16,8 +16,9 @@ class Plane(NamedTuple):
 def fit_plane(points: np.ndarray) -> Plane:
     """Return the plane with the least sum of squared distances to the (N, 3) points in metres.
 
-    Raises ValueError if the points do not determine a plane: fewer than three, all on one
-    line, or a cloud that is as thin in one direction as in another.
+    Raises:
+        ValueError: if the points do not determine a plane: fewer than three, all on one line, or
+            a cloud that is as thin in one direction as in another.
     """
     if np.ma.is_masked(points):  # the mask would be dropped without a word
         raise ValueError("No plane: some points are masked; leave them out first.")

@@ -89,9 +89,12 @@ def scan_points(
 
 
 def check_angles(angles: np.ndarray) -> None:
-    """Raise ValueError unless (N,) beams turn to the left, at most once round.
+    """Check that (N,) beams turn to the left, at most once round.
 
     Gaps and corners are looked for in this order.
+
+    Raises:
+        ValueError: if they do not.
     """
     if not (np.diff(angles) > 0).all():
         raise ValueError("The angles must grow from beam to beam: turn ranges and angles round.")

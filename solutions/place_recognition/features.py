@@ -22,7 +22,8 @@ def extract_features(
 
     `most` limits their number to the strongest; 0 is no limit for SIFT, and 1000 for ORB.
 
-    Raises ValueError for any other kind.
+    Raises:
+        ValueError: for any other kind.
     """
     if kind not in ("sift", "orb"):
         raise ValueError(f"There are features of the kinds 'sift' and 'orb', not {kind!r}.")

@@ -42,8 +42,9 @@ def ransac_fundamental(
     `confidence`. None means that fewer than eight matches agree, or that all of them would
     agree by themselves: on one line or in one spot of an image, anything fits.
 
-    Raises ValueError for two arrays of different lengths, positions that are not finite, or a
-    threshold, number of iterations or confidence out of range.
+    Raises:
+        ValueError: for two arrays of different lengths, positions that are not finite, or a
+            threshold, number of iterations or confidence out of range.
     """
     x, y = _checked(x, y, threshold, iterations, confidence)
     N = len(x)

@@ -21,8 +21,8 @@ def ransac_line(
     are those of the points within the threshold of this last line; they may be those of the
     consensus set as well, which is nearly always the same.
 
-    Raises ValueError if no sample gave a line, as when all points are equal or `iterations`
-    is 0.
+    Raises:
+        ValueError: if no sample gave a line, as when all points are equal or `iterations` is 0.
     """
     if not isinstance(rng, np.random.Generator):
         raise TypeError(f"Samples are drawn with a np.random.Generator, not with {rng!r}.")

@@ -21,8 +21,9 @@ def ransac_plane(
     the points within the threshold of this last plane; they may be those of the consensus set
     as well, which is nearly always the same.
 
-    Raises ValueError if no sample gave a plane, as when all points are on one line or
-    `iterations` is 0.
+    Raises:
+        ValueError: if no sample gave a plane, as when all points are on one line or `iterations`
+            is 0.
     """
     if not isinstance(rng, np.random.Generator):
         raise TypeError(f"Samples are drawn with a np.random.Generator, not with {rng!r}.")

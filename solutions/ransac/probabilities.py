@@ -20,7 +20,8 @@ def required_iterations(p: float, w: float, s: int) -> int | float:
     rounded to 1. For w = 1 one sample is enough: the result is 1. For w = 0 no number is enough:
     the result is math.inf, or a ValueError is raised.
 
-    Raises ValueError if p or w is out of range.
+    Raises:
+        ValueError: if p or w is out of range.
     """
     if not (0 < p < 1 and 0 <= w <= 1 and s >= 1):
         raise ValueError(f"Needs 0 < p < 1, 0 <= w <= 1 and s >= 1, not p={p}, w={w}, s={s}.")
@@ -43,7 +44,10 @@ def candidate_count(N: int, s: int) -> int:
 def outlier_model_probability(w: float, s: int, k: float = 1) -> float:
     """Return the probability that none of k samples was free of outliers.
 
-    `k` may be math.inf. Raises ValueError if w, s or k is out of range.
+    `k` may be math.inf.
+
+    Raises:
+        ValueError: if w, s or k is out of range.
     """
     return math.exp(_log_failure(w, s, k))
 
@@ -51,7 +55,10 @@ def outlier_model_probability(w: float, s: int, k: float = 1) -> float:
 def success_probability(w: float, s: int, k: float) -> float:
     """Return the probability that at least one of k samples was free of outliers.
 
-    `k` may be math.inf. Raises ValueError if w, s or k is out of range.
+    `k` may be math.inf.
+
+    Raises:
+        ValueError: if w, s or k is out of range.
     """
     return 0.0 - math.expm1(_log_failure(w, s, k))
 

@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from nbformat import NotebookNode
 
 from autograder.authoring.build import (
     build_solved_notebooks,
@@ -13,6 +14,7 @@ from autograder.authoring.build import (
     write,
 )
 from autograder.authoring.masters import read_masters
+from autograder.authoring.raised import raised
 from autograder.cli import main
 from autograder.errors import CourseError
 
@@ -33,15 +35,15 @@ def change(path: Path, edit: Any) -> None:
     path.write_text(json.dumps(notebook, indent=1) + "\n", encoding="utf-8")
 
 
-def stale(tiny_course) -> list[str]:
-    return [str(path.relative_to(tiny_course.root)) for path in stale_notebooks(tiny_course.load())]
+def stale(toy) -> list[str]:
+    return [str(path.relative_to(toy.root)) for path in stale_notebooks(toy.load())]
 
 
 @pytest.fixture
-def built(tiny_course):
-    """The tiny course with its notebooks, the solved ones not run."""
-    tiny_course.write_notebooks()
-    return tiny_course
+def built(toy):
+    """The toy course with its notebooks, the solved ones not run."""
+    toy.write_notebooks()
+    return toy
 
 
 def test_each_kind_of_exercise_has_its_stub(built):
@@ -187,17 +189,17 @@ def test_build_check_tells_what_differs_and_writes_nothing(built, capsys):
     assert not (built.root / STUDENT).exists()
 
 
-def test_a_solved_notebook_is_executed_and_keeps_text_but_no_picture(tiny_course):
-    (tiny_course.root / MASTER).write_text(
+def test_a_solved_notebook_is_executed_and_keeps_text_but_no_picture(toy):
+    (toy.root / MASTER).write_text(
         "# %%\nprint('a shelf')\n\n"
         "# %%\nimport matplotlib.pyplot as plt\n\nplt.plot([1, 2])\nNone\n"
     )
     for file in ("questions", "source"):
-        for path in (tiny_course.root / "notebooks" / file).glob("*cellar*"):
+        for path in (toy.root / "notebooks" / file).glob("*cellar*"):
             path.unlink()
-    (tiny_course.root / "notebooks/questions/kitchen.toml").write_text('title = "The kitchen"\n')
-    (tiny_course.root / "solutions/answers/kitchen.toml").write_text("")
-    (notebook,) = build_solved_notebooks(tiny_course.load())
+    (toy.root / "notebooks/questions/kitchen.toml").write_text('title = "The kitchen"\n')
+    (toy.root / "solutions/answers/kitchen.toml").write_text("")
+    (notebook,) = build_solved_notebooks(toy.load())
     outputs = [cell["outputs"] for cell in json.loads(notebook.text)["cells"]]
     assert outputs[1][0]["text"] == ["a shelf\n"]
     assert "image/png" not in notebook.text
@@ -215,22 +217,42 @@ RAISING_CELLS = {
 }
 
 
+TRACEBACKS = {
+    "Cell In[1], line 2\n      1 x = 1\n----> 2 1 / 0": 2,
+    "File <ipython-input-1-abc>:2\n": 2,
+    "/tmp/ipykernel_54/36.py in <cell line: 0>()\n      1 x = 1\n----> 2 1 / 0\n": 2,
+    "/tmp/ipykernel_54/36.py in f()\n      8 x\n---> 12 y\n": 12,
+    'File "/tmp/ipykernel_52/23.py", line 2\n    print(x\n': 2,
+    "nothing that is known": 1,
+}
+
+
+@pytest.mark.parametrize("traceback", TRACEBACKS)
+def test_the_line_is_found_in_what_each_ipython_says(toy, traceback: str):
+    master = next(m for m in read_masters(toy.load()) if m.stem == "1_kitchen")
+    source = "\n".join(f"x{n} = {n}" for n in range(20))
+    error = NotebookNode(output_type="error", ename="_IncompleteInputError", evalue="incomplete")
+    error.traceback = [traceback]
+    cell = NotebookNode(source=source, outputs=[error])
+    number = TRACEBACKS[traceback]
+    said = raised(master, cell, None)
+    assert said.endswith(f"raises SyntaxError: incomplete (x{number - 1} = {number - 1}).")
+
+
 @pytest.mark.parametrize("cell", RAISING_CELLS)
-def test_a_cell_that_raises_is_told_by_its_line_in_the_master(tiny_course, cell):
-    (tiny_course.root / "notebooks/source/2_cellar.py").write_text(
+def test_a_cell_that_raises_is_told_by_its_line_in_the_master(toy, cell):
+    (toy.root / "notebooks/source/2_cellar.py").write_text(
         f'# %%\n{cell}\n\n# %% exercise="Q2.1"\n'
     )
-    (tiny_course.root / "notebooks/source/1_kitchen.py").rename(
-        tiny_course.root / "notebooks/source/3_kitchen.py"
-    )
+    (toy.root / "notebooks/source/1_kitchen.py").rename(toy.root / "notebooks/source/3_kitchen.py")
     with pytest.raises(CourseError, match=f"notebooks/source/2_cellar.py, {RAISING_CELLS[cell]}"):
-        build_solved_notebooks(tiny_course.load())
+        build_solved_notebooks(toy.load())
 
 
-def test_a_solved_cell_that_raises_is_told_by_its_question(tiny_course):
-    tiny_course.replace("solutions/answers/kitchen.toml", 'code = "3 * 4"', 'code = "3 * four"')
+def test_a_solved_cell_that_raises_is_told_by_its_question(toy):
+    toy.replace("solutions/answers/kitchen.toml", 'code = "3 * 4"', 'code = "3 * four"')
     with pytest.raises(CourseError, match=r"cell of Q1.3 in 1_kitchen.py raises NameErr"):
-        build_solved_notebooks(tiny_course.load())
+        build_solved_notebooks(toy.load())
 
 
 MASTER_MISTAKES = {
@@ -266,11 +288,11 @@ MASTER_MISTAKES = {
 
 
 @pytest.mark.parametrize("mistake", MASTER_MISTAKES)
-def test_a_mistake_in_a_master_is_said(tiny_course, mistake):
+def test_a_mistake_in_a_master_is_said(toy, mistake):
     old, new, said = MASTER_MISTAKES[mistake]
-    tiny_course.replace(MASTER, old, new)
+    toy.replace(MASTER, old, new)
     with pytest.raises(CourseError, match=said):
-        read_masters(tiny_course.load())
+        read_masters(toy.load())
 
 
 REFERENCE_MISTAKES = {
@@ -284,17 +306,17 @@ REFERENCE_MISTAKES = {
 
 
 @pytest.mark.parametrize("mistake", REFERENCE_MISTAKES)
-def test_a_reference_that_gives_no_stub_is_said(tiny_course, mistake):
+def test_a_reference_that_gives_no_stub_is_said(toy, mistake):
     old, new, said = REFERENCE_MISTAKES[mistake]
-    tiny_course.replace("solutions/kitchen.py", old, new)
+    toy.replace("solutions/kitchen.py", old, new)
     with pytest.raises(CourseError, match=said):
-        build_student_notebooks(tiny_course.load())
+        build_student_notebooks(toy.load())
 
 
-def test_an_answer_without_code_is_said(tiny_course):
-    tiny_course.replace("solutions/answers/kitchen.toml", 'code = "3 * 4"\n', "")
+def test_an_answer_without_code_is_said(toy):
+    toy.replace("solutions/answers/kitchen.toml", 'code = "3 * 4"\n', "")
     with pytest.raises(CourseError, match=r"Q1\.3 has no code"):
-        build_student_notebooks(tiny_course.load())
+        build_student_notebooks(toy.load())
 
 
 def test_the_committed_notebooks_of_the_real_course_are_those_of_the_masters(real_course):

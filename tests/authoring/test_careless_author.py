@@ -5,10 +5,10 @@ from __future__ import annotations
 import re
 
 import pytest
-from tiny_course import TinyCourse
 
 from autograder.authoring.proof import prove_course
 from autograder.errors import CourseError
+from tests.toy import Toy
 
 QUESTIONS = "notebooks/questions/kitchen.toml"
 ANSWERS = "solutions/answers/kitchen.toml"
@@ -124,16 +124,52 @@ CARELESS: dict[str, tuple[str, str, str, str]] = {
 
 
 @pytest.mark.parametrize("slip", CARELESS)
-def test_a_slip_is_told_with_what_to_write(tiny_course: TinyCourse, slip: str):
+def test_a_slip_is_told_with_what_to_write(toy: Toy, slip: str):
     file, old, new, said = CARELESS[slip]
-    before = (tiny_course.root / file).read_text().splitlines()
-    tiny_course.replace(file, old, new)
-    after = (tiny_course.root / file).read_text().splitlines()
+    before = (toy.root / file).read_text().splitlines()
+    toy.replace(file, old, new)
+    after = (toy.root / file).read_text().splitlines()
     line = next(n for n, (a, b) in enumerate(zip(before, after, strict=False), 1) if a != b)
     said = said.replace("LINE", str(line)).replace("BEFORE", str(line - 1))
     try:
-        (problem,) = prove_course(tiny_course.root, mutants=False)
+        (problem,) = prove_course(toy.root, mutants=False)
     except CourseError as error:
         problem = str(error)
     assert re.search(re.escape(said).replace(r"\.\*", ".*"), problem), problem
     assert re.search(r"line \d+|\[tool", problem)
+
+
+@pytest.mark.parametrize(
+    ("parameters", "public", "said"),
+    [
+        ("case, actual", "True", "raises TypeError for the right result: drawn() takes 2"),
+        ("case, expected, actual", "True", "raises ValueError for the right result: no plot"),
+        ("case, expected, actual", "False", "never drawn: it shows the first case, which must be"),
+    ],
+)
+def test_a_picture_that_nobody_would_see_is_told(toy: Toy, parameters: str, public: str, said: str):
+    """On a page of feedback it is left out without a word, since a student's result may be it."""
+    cases = 'cases = "solutions.kitchen:mean_weight_cases"'
+    toy.replace(ANSWERS, cases, f'{cases}\npicture = "solutions.kitchen:drawn"')
+    first = '[{"name": "light", "args": [[2.0, 3.0]], "public": PUBLIC}'.replace("PUBLIC", public)
+    source = (toy.root / "solutions/kitchen.py").read_text()
+    source += f"\n\ndef drawn({parameters}):\n    raise ValueError('no plot')\n"
+    source += "\n\n_others = mean_weight_cases\n\n\ndef mean_weight_cases(rng):\n"
+    source += f"    return {first}, *_others(rng)]\n"
+    (toy.root / "solutions/kitchen.py").write_text(source)
+    problems = prove_course(toy.root, mutants=False)
+    (problem,) = (problem for problem in problems if "picture" in problem)
+    assert said in problem
+    assert f"({ANSWERS}, line " in problem or "(solutions/kitchen.py, line " in problem
+
+
+def test_a_solved_notebook_that_raises_says_what_and_where(toy: Toy):
+    """The reference uses what its module has and the notebook has not."""
+    path = toy.root / "solutions/kitchen.py"
+    first = "    if len(weights) == 0:"
+    source = path.read_text().replace(first, f"    weights = weights * GRAMS\n{first}", 1)
+    path.write_text(f"GRAMS = 1\n{source}")
+    (problem,) = prove_course(toy.root, mutants=False)
+    assert problem.startswith("Q1.5: the solved notebook is marked error: ")
+    assert "name 'GRAMS' is not defined" in problem
+    assert re.search(rf"\({ANSWERS}, line \d+\)", problem)

@@ -14,8 +14,8 @@ KITCHEN = "notebooks/source/1_kitchen.py"
 
 
 @pytest.fixture
-def runs(tiny_course, monkeypatch):
-    """Build the tiny course; the result tells which notebooks ran. Running itself is made up."""
+def runs(toy, monkeypatch):
+    """Build the toy course; the result tells which notebooks ran. Running itself is made up."""
 
     def execute(notebook, course, stem):
         for count, cell in enumerate(
@@ -30,7 +30,7 @@ def runs(tiny_course, monkeypatch):
 
     def built() -> list[str]:
         ran: list[str] = []
-        write(build_solved_notebooks(tiny_course.load(), ran.append))
+        write(build_solved_notebooks(toy.load(), ran.append))
         return ran
 
     assert built() == ["1_kitchen", "2_cellar"]
@@ -46,13 +46,13 @@ def test_nothing_runs_twice(runs):
     assert runs() == []
 
 
-def test_prose_changes_without_a_run_and_keeps_the_outputs(runs, tiny_course):
-    before = outputs(tiny_course.root, "1_kitchen")
-    tiny_course.replace(KITCHEN, "Now some numbers.", "Now some other numbers.")
+def test_prose_changes_without_a_run_and_keeps_the_outputs(runs, toy):
+    before = outputs(toy.root, "1_kitchen")
+    toy.replace(KITCHEN, "Now some numbers.", "Now some other numbers.")
     assert runs() == []
-    text = (tiny_course.root / "solutions/notebooks/1_kitchen.ipynb").read_text()
+    text = (toy.root / "solutions/notebooks/1_kitchen.ipynb").read_text()
     assert "some other numbers" in text
-    assert outputs(tiny_course.root, "1_kitchen") == before
+    assert outputs(toy.root, "1_kitchen") == before
 
 
 # What is changed, and which notebooks that concerns.
@@ -65,22 +65,22 @@ CHANGES = {
 
 
 @pytest.mark.parametrize("name", CHANGES)
-def test_a_change_runs_the_notebooks_that_it_concerns(name, runs, tiny_course):
+def test_a_change_runs_the_notebooks_that_it_concerns(name, runs, toy):
     file, old, new, expected = CHANGES[name]
-    tiny_course.replace(file, old, new)
+    toy.replace(file, old, new)
     assert runs() == expected
     assert runs() == []
 
 
 @pytest.mark.parametrize("file", ["data/new.csv", "notebooks/figures.py"])
-def test_what_all_notebooks_may_import_runs_all(file, runs, tiny_course):
-    (tiny_course.root / file).parent.mkdir(exist_ok=True)
-    (tiny_course.root / file).write_text("")
+def test_what_all_notebooks_may_import_runs_all(file, runs, toy):
+    (toy.root / file).parent.mkdir(exist_ok=True)
+    (toy.root / file).write_text("")
     assert runs() == ["1_kitchen", "2_cellar"]
 
 
-def test_outputs_that_somebody_changed_are_made_again(runs, tiny_course):
-    path = tiny_course.root / "solutions/notebooks/2_cellar.ipynb"
+def test_outputs_that_somebody_changed_are_made_again(runs, toy):
+    path = toy.root / "solutions/notebooks/2_cellar.ipynb"
     before = path.read_text()
     path.write_text(before.replace("has run", "has never run"))
     assert runs() == ["2_cellar"]
@@ -88,6 +88,6 @@ def test_outputs_that_somebody_changed_are_made_again(runs, tiny_course):
 
 
 @pytest.mark.parametrize("text", ["", "[]", '{"1_kitchen": 3}', "{"])
-def test_a_damaged_memory_only_costs_time(text, runs, tiny_course):
-    (tiny_course.root / ".build_cache/executed.json").write_text(text)
+def test_a_damaged_memory_only_costs_time(text, runs, toy):
+    (toy.root / ".build_cache/executed.json").write_text(text)
     assert "1_kitchen" in runs()

@@ -4,32 +4,32 @@ import json
 from contextlib import nullcontext
 
 import pytest
-from tiny_course import TinyCourse
 
 from autograder.authoring.proof import prove_course
 from autograder.cli import main
+from tests.toy import Toy
 
 QUESTIONS = "notebooks/questions/kitchen.toml"
 ANSWERS = "solutions/answers/kitchen.toml"
 MASTER = "notebooks/source/1_kitchen.py"
 
 
-def problems(course: TinyCourse) -> list[str]:
+def problems(course: Toy) -> list[str]:
     found = prove_course(course.root)
     assert all(problem.endswith(".") and "\n" not in problem for problem in found), found
     return found
 
 
-def the_problem(course: TinyCourse) -> str:
+def the_problem(course: Toy) -> str:
     found = problems(course)
     assert len(found) == 1, found
     return found[0]
 
 
-def test_a_sound_course_has_no_problem_and_each_step_is_reported(tiny_course):
-    tiny_course.write_notebooks()
+def test_a_sound_course_has_no_problem_and_each_step_is_reported(toy):
+    toy.write_notebooks()
     steps: list[str] = []
-    assert prove_course(tiny_course.root, steps.append) == []
+    assert prove_course(toy.root, steps.append) == []
     assert list(dict.fromkeys(step.partition(" (")[0] for step in steps)) == [
         "questions and answers",
         "mistakes",
@@ -40,10 +40,10 @@ def test_a_sound_course_has_no_problem_and_each_step_is_reported(tiny_course):
     ]
 
 
-def test_the_command_says_sound_or_broken_and_exits_accordingly(tiny_course, capsys):
-    tiny_course.append("notebooks/questions/kitchen.toml", "")
-    (tiny_course.root / "notebooks/stray.txt").write_text("")
-    assert main(["--course", str(tiny_course.root), "check"]) == 1
+def test_the_command_says_sound_or_broken_and_exits_accordingly(toy, capsys):
+    toy.append("notebooks/questions/kitchen.toml", "")
+    (toy.root / "notebooks/stray.txt").write_text("")
+    assert main(["--course", str(toy.root), "check"]) == 1
     said = capsys.readouterr().out
     assert "notebooks/stray.txt is unexpected" in said
     assert "1 problem." in said
@@ -51,14 +51,14 @@ def test_the_command_says_sound_or_broken_and_exits_accordingly(tiny_course, cap
 
 # What is found before anything runs: file, what stands there, what is put there, what is said.
 FOUND_IN_THE_FILES: dict[str, tuple[str, str, str, str]] = {
-    "a duplicate id": (QUESTIONS, 'id = "Q1.3"', 'id = "Q1.4"', "Two questions have the id Q1.4"),
+    "a duplicate id": (QUESTIONS, 'id = "Q1.3"', 'id = "Q1.4"', "two questions have this id"),
     "an empty hint": (QUESTIONS, '["Walk around it."]', '[""]', "'Q1.4'"),
     "a missing answer": (ANSWERS, '["Q1.1"]', '["Q1.9"]', "Q1."),
     "a backslash that TOML took": (
         QUESTIONS,
         '["Walk around it."]',
         '["Walk by $\\theta$."]',
-        "line 46: a text in double quotes reads \\t as a sign of its own: write \\\\theta with two",
+        "line 45: a text in double quotes reads \\t as a sign of its own: write \\\\theta with two",
     ),
     "a backslash that TOML took in the key": (
         ANSWERS,
@@ -183,10 +183,10 @@ FOUND_IN_THE_FILES: dict[str, tuple[str, str, str, str]] = {
 
 
 @pytest.mark.parametrize("broken", FOUND_IN_THE_FILES)
-def test_a_broken_course_is_found_out(tiny_course, broken):
+def test_a_broken_course_is_found_out(toy, broken):
     file, old, new, said = FOUND_IN_THE_FILES[broken]
-    tiny_course.replace(file, old, new)
-    found = problems(tiny_course)
+    toy.replace(file, old, new)
+    found = problems(toy)
     assert any(said in problem for problem in found), found
 
 
@@ -201,30 +201,28 @@ def test_a_broken_course_is_found_out(tiny_course, broken):
         "solutions/notebooks/9_attic.ipynb",
     ],
 )
-def test_an_unexpected_file_is_named(tiny_course, file):
-    tiny_course.write_notebooks()
-    (tiny_course.root / file).write_text("")
-    assert the_problem(tiny_course).startswith(f"{file} is unexpected")
+def test_an_unexpected_file_is_named(toy, file):
+    toy.write_notebooks()
+    (toy.root / file).write_text("")
+    assert the_problem(toy).startswith(f"{file} is unexpected")
 
 
-def test_a_stub_that_passes_is_found_out(tiny_course):
+def test_a_stub_that_passes_is_found_out(toy):
     """The master defines the response already, so the untouched notebook is marked."""
-    tiny_course.replace(
-        MASTER, '# %% exercise="Q1.4"', '# %% exercise="Q1.4"\n\n# %%\nrim = 2 * half'
-    )
-    found = [problem for problem in problems(tiny_course) if "stub" in problem]
+    toy.replace(MASTER, '# %% exercise="Q1.4"', '# %% exercise="Q1.4"\n\n# %%\nrim = 2 * half')
+    found = [problem for problem in problems(toy) if "stub" in problem]
     assert found == ["Q1.4: the untouched stub is marked right; it must be not attempted."]
 
 
-def test_a_solved_notebook_that_fails_is_found_out(tiny_course):
-    tiny_course.replace(ANSWERS, 'code = "3 * 4"', 'code = "3 + 4"')
-    found = the_problem(tiny_course)
+def test_a_solved_notebook_that_fails_is_found_out(toy):
+    toy.replace(ANSWERS, 'code = "3 * 4"', 'code = "3 + 4"')
+    found = the_problem(toy)
     assert found.startswith("Q1.3: the solved notebook is marked partial: You added")
 
 
-def test_a_solved_notebook_that_raises_is_found_out(tiny_course):
-    tiny_course.replace(ANSWERS, 'code = "3 * 4"', 'code = "1 / 0"')
-    assert "Q1.3: the solved notebook is marked error" in the_problem(tiny_course)
+def test_a_solved_notebook_that_raises_is_found_out(toy):
+    toy.replace(ANSWERS, 'code = "3 * 4"', 'code = "1 / 0"')
+    assert "Q1.3: the solved notebook is marked error" in the_problem(toy)
 
 
 LEAKS = {
@@ -239,27 +237,27 @@ LEAKS = {
     ),
     "why a statement is true": (MASTER, "numbers.", "That is why roads are salted.", "Q1.1"),
     "a number in a prompt": (QUESTIONS, "how many eggs?", "how many, if not 12?", "Q1.3"),
-    "a formula in a hint": (QUESTIONS, "Walk around it.", "Try 2*a + 2*b.", "Q1.4"),
+    "a formula in a prompt": (QUESTIONS, "given sides?", "given sides, not 2*a + 2*b?", "Q1.4"),
 }
 
 
 @pytest.mark.parametrize("leak", LEAKS)
-def test_an_answer_in_what_students_get_is_found_out(tiny_course, leak, monkeypatch):
+def test_an_answer_in_what_students_get_is_found_out(toy, leak, monkeypatch):
     """Running the notebooks is left out: it finds nothing here and takes its time."""
     monkeypatch.setattr("autograder.authoring.proof.grade_contents", lambda *_: [])
     monkeypatch.setattr("autograder.authoring.proof.Sandbox", nullcontext)
     file, old, new, id = LEAKS[leak]
-    tiny_course.replace(file, old, new)
-    found = problems(tiny_course)
+    toy.replace(file, old, new)
+    found = problems(toy)
     assert found
     assert all(problem.startswith(f"{id}: ") for problem in found)
     assert all("which is in the key" in problem for problem in found)
 
 
-def test_notebooks_are_proven_as_they_would_be_built_not_as_they_lie_there(tiny_course):
-    tiny_course.write_notebooks()
-    path = tiny_course.root / "solutions/notebooks/1_kitchen.ipynb"
+def test_notebooks_are_proven_as_they_would_be_built_not_as_they_lie_there(toy):
+    toy.write_notebooks()
+    path = toy.root / "solutions/notebooks/1_kitchen.ipynb"
     notebook = json.loads(path.read_text())
     notebook["cells"] = []
     path.write_text(json.dumps(notebook))
-    assert problems(tiny_course) == []
+    assert problems(toy) == []

@@ -5,9 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from tiny_course import TinyCourse, make_tiny_course
 
 from autograder.authoring.proof_of_texts import prove_texts
+from tests.toy import Toy, make_toy
 
 QUESTIONS = "notebooks/questions/kitchen.toml"
 PROMPT = '"Three boxes of four eggs: how many eggs?"'
@@ -15,10 +15,10 @@ VARIABLES = 'integer = true\nvariables = {boxes = [3, 5], share = [0.5, 0.25]}\n
 
 
 @pytest.fixture
-def eggs(tmp_path: Path) -> TinyCourse:
-    tiny = make_tiny_course(tmp_path / "course")
-    tiny.replace(QUESTIONS, 'integer = true\nunit = "eggs"', VARIABLES)
-    return tiny
+def eggs(tmp_path: Path) -> Toy:
+    toy = make_toy(tmp_path / "course")
+    toy.replace(QUESTIONS, 'integer = true\nunit = "eggs"', VARIABLES)
+    return toy
 
 
 @pytest.mark.parametrize(
@@ -31,6 +31,11 @@ def eggs(tmp_path: Path) -> TinyCourse:
         ('"${boxs}$?"', "perhaps 'boxes' is meant"),
         ('"{100*shar:g} %?"', "perhaps 'share' is meant"),
         ('"{root(boxes)}?"', "'root' is neither a variable nor a function of formulas"),
+        (
+            r"'A half of {boxes}: $\frac{1}{2}'",
+            "a $ has no partner: a formula begins and ends with",
+        ),
+        ('"$x$ and y^2$ = 3 of {boxes}?"', "a $ has no partner"),
         (r'"$\tan(x)$ of {boxes}?"', r"reads \t as a sign of its own: write \\tan with"),
         (r'"An angle $\beta$?"', r"write \\beta with two backslashes"),
         (r'"A density $\rho$?"', r"write \\rho with two backslashes"),
@@ -52,6 +57,7 @@ def test_a_text_that_is_not_what_was_typed_is_told_with_its_line(eggs, prompt, s
         r'"$\\theta_{i}$ and a set {a, b} of {boxes:g}"',
         r'"A table:\n\n| a\t| b |\nnow $5 and\nnot $6"',
         r'"$x_{boxes k}$, \\frac{1}{2}, {} and {share:.2f}"',
+        "'It costs $5 in {boxes}, or `$a_b = 3`: ${boxes}$'",
         "'''\n$\\nu$\n{sqrt(boxes):.1f}\n'''",
     ],
 )

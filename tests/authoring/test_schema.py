@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 import json
 import tomllib
 from pathlib import Path
@@ -77,9 +78,22 @@ def test_the_files_of_this_course_are_up_to_date():
         assert (ROOT / name).read_text(encoding="utf-8") == text, f"run autograder schema: {name}"
 
 
-def test_the_command_writes_them_and_says_when_they_are_old(tiny_course, capsys):
-    root = str(tiny_course.root)
+def test_the_command_writes_them_and_says_when_they_are_old(toy, capsys):
+    root = str(toy.root)
     assert main(["--course", root, "schema", "--check"]) == 1
     assert "Run autograder schema" in capsys.readouterr().out
     assert main(["--course", root, "schema"]) == 0
     assert main(["--course", root, "schema", "--check"]) == 0
+
+
+def test_descriptions_are_the_same_on_every_python():
+    """Some keep the indentation of docstrings, newer ones remove it."""
+    texts = [text for name, text in schema_files() if name.endswith(".json")]
+    described = [
+        part["description"]
+        for text in texts
+        for part in json.loads(text)["$defs"].values()
+        if "description" in part
+    ]
+    assert any("\n" in one for one in described)
+    assert [one for one in described if one != inspect.cleandoc(one)] == []

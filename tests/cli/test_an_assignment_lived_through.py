@@ -44,7 +44,7 @@ class Office:
         if person.number % 2:  # among them the second of the two who are called Ada Lovelace
             cells["Q2"] = "trees = 3 + 4"
         folder = self.work / f"{person.name}_{person.participant}_assignsubmission_file"
-        put(folder / "1_orchard.ipynb", notebook([START, *cells.values()]).encode())
+        put(folder / "3_orchard.ipynb", notebook([START, *cells.values()]).encode())
 
     def run(self, desk: str, command: str, *arguments: str, status: int = 0) -> str:
         """What a command says; ``desk`` is the folder of the gradebook."""

@@ -26,7 +26,7 @@ from autograder.gradebook import Gradebook, view_class
 from autograder.gradebook.by_hand import open_items
 from autograder.intake.class_list import ClassList
 from tests.classroom import hand_in, make_course
-from tests.tiny_course import TinyCourse, make_tiny_course
+from tests.toy import Toy, make_toy
 
 QUESTION = """
 [[question]]
@@ -56,10 +56,7 @@ levels = [{name = "yes", points = 1}, {name = "no", points = 0}]
 
 def with_text(root: Path) -> Course:
     make_course(root)
-    for file, more in (("notebooks/questions", QUESTION), ("solutions/answers", ANSWER)):
-        with (root / file / "orchard.toml").open("a") as stream:
-            stream.write(more)
-    return load_course(root)
+    return Toy(root).add("orchard", QUESTION, ANSWER).load()
 
 
 @pytest.fixture(scope="module")
@@ -305,10 +302,9 @@ def test_who_lacks_the_token_or_comes_from_elsewhere_is_refused(served, path, he
     assert ask(target, "POST", {"item": "x"}, **headers)[0] == 404
 
 
-def text_course(root: Path) -> TinyCourse:
-    course = make_tiny_course(root)
-    course.append("notebooks/questions/kitchen.toml", QUESTION)
-    course.append("solutions/answers/kitchen.toml", ANSWER)
+def text_course(root: Path) -> Toy:
+    course = make_toy(root)
+    course.add("kitchen", QUESTION, ANSWER)
     course.append("notebooks/source/1_kitchen.py", '\n# %% exercise="Q5"\n')
     return course
 

@@ -5,35 +5,35 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from tiny_course import TinyCourse
 
 from autograder.cli import main
+from tests.toy import Toy
 
 
 def test_a_large_file_of_the_data_is_named_when_it_is_handed_out(
-    tiny_course: TinyCourse, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    toy: Toy, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ):
-    (tiny_course.root / "data").mkdir(exist_ok=True)
-    (tiny_course.root / "data/small.csv").write_text("1\n")
-    with (tiny_course.root / "data/Messung Ü").open("wb") as file:
+    (toy.root / "data").mkdir(exist_ok=True)
+    (toy.root / "data/small.csv").write_text("1\n")
+    with (toy.root / "data/Messung Ü").open("wb") as file:
         file.truncate(30_000_000)
-    assert main(["--course", str(tiny_course.root), "release", str(tmp_path / "bundle")]) == 0
+    assert main(["--course", str(toy.root), "release", str(tmp_path / "bundle")]) == 0
     said = capsys.readouterr().out
     assert "data/Messung Ü has 30 MB, and every student downloads it" in said
     assert "small.csv has" not in said
 
 
 def test_a_check_says_that_the_notebooks_are_older_than_the_masters(
-    tiny_course: TinyCourse, capsys: pytest.CaptureFixture[str]
+    toy: Toy, capsys: pytest.CaptureFixture[str]
 ):
-    check = ["--course", str(tiny_course.root), "check", "--without-mutants"]
-    tiny_course.write_notebooks()
+    check = ["--course", str(toy.root), "check", "--without-mutants"]
+    toy.write_notebooks()
     assert main(check) == 0
     assert "autograder build" not in capsys.readouterr().out
-    tiny_course.replace("notebooks/questions/kitchen.toml", "Walk around it.", "Walk along it.")
+    toy.replace("notebooks/questions/kitchen.toml", "Walk around it.", "Walk along it.")
     assert main(check) == 0
     assert "notebooks/1_kitchen.ipynb is not what the masters give" not in capsys.readouterr().out
-    tiny_course.replace("notebooks/questions/kitchen.toml", "Three boxes", "Three large boxes")
+    toy.replace("notebooks/questions/kitchen.toml", "Three boxes", "Three large boxes")
     assert main(check) == 0
     said = capsys.readouterr().out
     assert "notebooks/1_kitchen.ipynb is not what the masters give: autograder build." in said

@@ -5,10 +5,11 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from market import make_market
-from tiny_course import TinyCourse
+
+from tests.toy import Toy
+from tests.toy.market import make_market
 
 
 @pytest.fixture
-def market(tmp_path: Path) -> TinyCourse:
+def market(tmp_path: Path) -> Toy:
     return make_market(tmp_path / "course")

@@ -6,7 +6,6 @@ import tomllib
 from typing import Any
 
 import pytest
-from tiny_course import KITCHEN_ANSWERS, KITCHEN_QUESTIONS
 
 from autograder.course.answers import answer_from_table
 from autograder.course.questions import question_from_table
@@ -16,17 +15,19 @@ from autograder.kinds.function.answer import FunctionAnswer
 from autograder.kinds.number.answer import NumberAnswer
 from autograder.kinds.order.answer import OrderAnswer
 from autograder.kinds.true_false.answer import TrueFalseAnswer
+from tests.toy import text_of
 
 KITCHEN = "solutions/answers/kitchen.toml"
-ANSWERS = tomllib.loads(KITCHEN_ANSWERS)
+TEXT = text_of(KITCHEN)
+ANSWERS = tomllib.loads(TEXT)
 QUESTIONS = {
     table["id"]: question_from_table(table, "kitchen")
-    for table in tomllib.loads(KITCHEN_QUESTIONS)["question"]
+    for table in tomllib.loads(text_of("notebooks/questions/kitchen.toml"))["question"]
 }
 
 
-def test_a_sound_key_is_read_as_it_is_written(tiny_course):
-    key = tiny_course.load().key
+def test_a_sound_key_is_read_as_it_is_written(toy):
+    key = toy.load().key
     water, tea, eggs, rim, mean = (key[f"Q1.{n}"] for n in range(1, 6))
     assert isinstance(water, TrueFalseAnswer)
     assert [statement.truth for statement in water.statements] == [True, False, True]
@@ -75,7 +76,7 @@ MISTAKES: dict[str, tuple[str, str, tuple[str, ...]]] = {
     "two mistakes with one name": ('name = "one box"', 'name = "added"', ("Q1.3", "same name")),
     "code that is a number": ('code = "3 * 4"', "code = 12", ("Q1.3", "code")),
     "a statement too few": (
-        "\n".join(KITCHEN_ANSWERS.split("\n")[11:15]),
+        "\n".join(TEXT.split("\n")[10:14]),
         "",
         ("Q1.1", "2 statements", "asks 3"),
     ),
@@ -152,11 +153,11 @@ MISTAKES: dict[str, tuple[str, str, tuple[str, ...]]] = {
 
 
 @pytest.mark.parametrize("mistake", MISTAKES)
-def test_a_mistake_in_the_key_is_said_with_file_and_question(tiny_course, mistake):
+def test_a_mistake_in_the_key_is_said_with_file_and_question(toy, mistake):
     old, new, named = MISTAKES[mistake]
-    tiny_course.replace(KITCHEN, old, new)
+    toy.replace(KITCHEN, old, new)
     with pytest.raises(CourseError) as refused:
-        assert tiny_course.load().key
+        assert toy.load().key
     sentence = str(refused.value)
     assert "\n" not in sentence
     assert sentence.endswith(".")
@@ -164,10 +165,10 @@ def test_a_mistake_in_the_key_is_said_with_file_and_question(tiny_course, mistak
         assert word in sentence
 
 
-def test_an_answer_that_is_no_table_is_said(tiny_course):
-    (tiny_course.root / "solutions/answers/cellar.toml").write_text('"Q2.1" = 3\n')
+def test_an_answer_that_is_no_table_is_said(toy):
+    (toy.root / "solutions/answers/cellar.toml").write_text('"Q2.1" = 3\n')
     with pytest.raises(CourseError, match=r"Q2\.1 in solutions/answers/cellar\.toml"):
-        assert tiny_course.load().key
+        assert toy.load().key
 
 
 WRONG: list[Any] = [True, 0, -1, 1.5, float("nan"), "", "a b", [], [1], [[]], {}, {"a": 1}]

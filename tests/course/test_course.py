@@ -9,7 +9,6 @@ import tomllib
 from typing import Any
 
 import pytest
-from tiny_course import KITCHEN_QUESTIONS, TinyCourse
 
 from autograder.course import Settings, find_course_root, load_course
 from autograder.course.questions import question_from_table
@@ -19,12 +18,13 @@ from autograder.kinds.function.question import Function
 from autograder.kinds.number.question import Number
 from autograder.kinds.order.question import Order
 from autograder.kinds.true_false.question import TrueFalse
+from tests.toy import Toy, text_of
 
 KITCHEN = "notebooks/questions/kitchen.toml"
-TABLES = {table["kind"]: table for table in tomllib.loads(KITCHEN_QUESTIONS)["question"]}
+TABLES = {table["kind"]: table for table in tomllib.loads(text_of(KITCHEN))["question"]}
 
 
-def refusal(course: TinyCourse) -> str:
+def refusal(course: Toy) -> str:
     """The one sentence with which a broken course is refused."""
     with pytest.raises(CourseError) as refused:
         assert course.load().key
@@ -34,8 +34,8 @@ def refusal(course: TinyCourse) -> str:
     return sentence
 
 
-def test_a_sound_course_has_its_chapters_and_questions_in_order(tiny_course):
-    course = tiny_course.load()
+def test_a_sound_course_has_its_chapters_and_questions_in_order(toy):
+    course = toy.load()
     assert [chapter.name for chapter in course.chapters] == ["kitchen", "cellar"]
     assert list(course.questions) == ["Q1.1", "Q1.2", "Q1.3", "Q1.4", "Q1.5", "Q2.1"]
     kinds = [TrueFalse, Order, Number, Expression, Function, Number]
@@ -47,15 +47,15 @@ def test_a_sound_course_has_its_chapters_and_questions_in_order(tiny_course):
     assert course.question("Q1.1").name is None
 
 
-def test_chapters_stand_in_the_order_of_the_masters_numbers(tiny_course):
-    source = tiny_course.root / "notebooks/source"
+def test_chapters_stand_in_the_order_of_the_masters_numbers(toy):
+    source = toy.root / "notebooks/source"
     (source / "1_kitchen.py").rename(source / "3_kitchen.py")
-    assert [chapter.name for chapter in tiny_course.load().chapters] == ["cellar", "kitchen"]
+    assert [chapter.name for chapter in toy.load().chapters] == ["cellar", "kitchen"]
 
 
-def test_a_question_that_does_not_exist_is_refused_with_the_ids_that_do(tiny_course):
+def test_a_question_that_does_not_exist_is_refused_with_the_ids_that_do(toy):
     with pytest.raises(UsageError, match=r"no question 'Q9'.* Q1\.1, .*Q2\.1"):
-        tiny_course.load().question("Q9")
+        toy.load().question("Q9")
 
 
 # A mistake of an author: what stands there, what is put there, what the sentence must name.
@@ -124,17 +124,17 @@ QUESTION_MISTAKES: dict[str, tuple[str, str, tuple[str, ...]]] = {
 
 
 @pytest.mark.parametrize("mistake", QUESTION_MISTAKES)
-def test_a_mistake_in_the_questions_is_said_with_file_and_question(tiny_course, mistake):
+def test_a_mistake_in_the_questions_is_said_with_file_and_question(toy, mistake):
     old, new, named = QUESTION_MISTAKES[mistake]
-    tiny_course.replace(KITCHEN, old, new)
-    sentence = refusal(tiny_course)
+    toy.replace(KITCHEN, old, new)
+    sentence = refusal(toy)
     for word in named:
         assert word in sentence
 
 
-def test_the_same_variable_in_two_chapters_is_fine(tiny_course):
-    tiny_course.replace("notebooks/questions/cellar.toml", '"share"', '"eggs"')
-    assert tiny_course.load().question("Q2.1").name == "eggs"
+def test_the_same_variable_in_two_chapters_is_fine(toy):
+    toy.replace("notebooks/questions/cellar.toml", '"share"', '"eggs"')
+    assert toy.load().question("Q2.1").name == "eggs"
 
 
 @pytest.mark.parametrize("kind", TABLES)
@@ -158,9 +158,9 @@ FILE_MISTAKES = {
 
 
 @pytest.mark.parametrize("mistake", FILE_MISTAKES)
-def test_a_mistake_in_a_file_is_said_with_its_name(tiny_course, mistake):
-    tiny_course.replace(KITCHEN, *FILE_MISTAKES[mistake])
-    assert "kitchen.toml" in refusal(tiny_course)
+def test_a_mistake_in_a_file_is_said_with_its_name(toy, mistake):
+    toy.replace(KITCHEN, *FILE_MISTAKES[mistake])
+    assert "kitchen.toml" in refusal(toy)
 
 
 @pytest.mark.parametrize(
@@ -171,21 +171,21 @@ def test_a_mistake_in_a_file_is_said_with_its_name(tiny_course, mistake):
         'title = "The cellar"\nquestion = "Q2.1"\n',
     ],
 )
-def test_questions_that_are_no_list_of_tables_are_said(tiny_course, text):
-    (tiny_course.root / "notebooks/questions/cellar.toml").write_text(text)
-    assert "cellar.toml" in refusal(tiny_course)
+def test_questions_that_are_no_list_of_tables_are_said(toy, text):
+    (toy.root / "notebooks/questions/cellar.toml").write_text(text)
+    assert "cellar.toml" in refusal(toy)
 
 
-def test_a_file_in_another_encoding_is_said(tiny_course):
-    path = tiny_course.root / KITCHEN
+def test_a_file_in_another_encoding_is_said(toy):
+    path = toy.root / KITCHEN
     path.write_bytes(path.read_text().encode("utf-16"))
-    assert "kitchen.toml" in refusal(tiny_course)
+    assert "kitchen.toml" in refusal(toy)
 
 
-def test_a_course_without_questions_is_said(tiny_course):
-    for path in (tiny_course.root / "notebooks/questions").iterdir():
+def test_a_course_without_questions_is_said(toy):
+    for path in (toy.root / "notebooks/questions").iterdir():
         path.unlink()
-    assert "holds no questions" in refusal(tiny_course)
+    assert "holds no questions" in refusal(toy)
 
 
 def test_a_folder_that_is_no_course_is_said(tmp_path):
@@ -200,44 +200,44 @@ def test_looking_for_a_course_where_there_is_none_above_is_said(tmp_path, monkey
         load_course()
 
 
-def test_a_missing_file_of_answers_is_said(tiny_course):
-    (tiny_course.root / "solutions/answers/cellar.toml").unlink()
-    sentence = refusal(tiny_course)
+def test_a_missing_file_of_answers_is_said(toy):
+    (toy.root / "solutions/answers/cellar.toml").unlink()
+    sentence = refusal(toy)
     assert "cellar.toml" in sentence
     assert "missing" in sentence
 
 
-def test_an_answer_that_is_missing_is_said(tiny_course):
-    (tiny_course.root / "solutions/answers/cellar.toml").write_text("")
-    assert "Q2.1 has no answer; add one to solutions/answers/cellar.toml" in refusal(tiny_course)
+def test_an_answer_that_is_missing_is_said(toy):
+    (toy.root / "solutions/answers/cellar.toml").write_text("")
+    assert "line 4: it has no answer; add one to solutions/answers/cellar.toml" in refusal(toy)
 
 
-def test_an_answer_that_nobody_asked_for_is_said(tiny_course):
-    tiny_course.append("solutions/answers/cellar.toml", '\n["Q2.7"]\nexplanation = "x"\n')
-    sentence = refusal(tiny_course)
+def test_an_answer_that_nobody_asked_for_is_said(toy):
+    toy.append("solutions/answers/cellar.toml", '\n["Q2.7"]\nexplanation = "x"\n')
+    sentence = refusal(toy)
     assert re.match(r"solutions/answers/cellar.toml, line \d+: it answers Q2.7, which", sentence)
 
 
-def test_without_the_key_the_questions_load_and_marking_is_refused(tiny_course):
-    (tiny_course.root / "solutions").rename(tiny_course.root / "elsewhere")
-    course = tiny_course.load()
+def test_without_the_key_the_questions_load_and_marking_is_refused(toy):
+    (toy.root / "solutions").rename(toy.root / "elsewhere")
+    course = toy.load()
     assert not course.has_key
     assert len(course.questions) == 6
     with pytest.raises(CourseError, match="There is no key"):
         assert course.key
 
 
-def test_the_course_is_found_from_any_folder_inside_it(tiny_course, monkeypatch):
-    inside = tiny_course.root / "notebooks/questions"
-    assert find_course_root(inside) == tiny_course.root
+def test_the_course_is_found_from_any_folder_inside_it(toy, monkeypatch):
+    inside = toy.root / "notebooks/questions"
+    assert find_course_root(inside) == toy.root
     monkeypatch.chdir(inside)
-    assert find_course_root() == tiny_course.root
+    assert find_course_root() == toy.root
 
 
-def test_a_variable_of_the_environment_names_the_course(tiny_course, tmp_path, monkeypatch):
+def test_a_variable_of_the_environment_names_the_course(toy, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setenv("AUTOGRADER_COURSE", str(tiny_course.root))
-    assert load_course().root == tiny_course.root
+    monkeypatch.setenv("AUTOGRADER_COURSE", str(toy.root))
+    assert load_course().root == toy.root
 
 
 @pytest.mark.parametrize(
@@ -255,32 +255,32 @@ def test_a_variable_of_the_environment_names_the_course(tiny_course, tmp_path, m
         ("README.md", False),
     ],
 )
-def test_the_version_changes_with_everything_that_can_change_a_mark(tiny_course, file, changes):
-    (tiny_course.root / file).parent.mkdir(parents=True, exist_ok=True)
-    tiny_course.append(file, "\n# a file\n")
-    before = tiny_course.load().version
-    assert tiny_course.load().version == before
-    tiny_course.append(file, "\n# a remark\n")
-    assert (tiny_course.load().version != before) == changes
+def test_the_version_changes_with_everything_that_can_change_a_mark(toy, file, changes):
+    (toy.root / file).parent.mkdir(parents=True, exist_ok=True)
+    toy.append(file, "\n# a file\n")
+    before = toy.load().version
+    assert toy.load().version == before
+    toy.append(file, "\n# a remark\n")
+    assert (toy.load().version != before) == changes
 
 
-def test_the_version_changes_with_the_settings_and_the_demo_cells(tiny_course):
-    tiny_course.write_notebooks()
-    before = tiny_course.load().version
-    tiny_course.replace("pyproject.toml", "question_seconds = 20", "question_seconds = 21")
-    slower = tiny_course.load().version
+def test_the_version_changes_with_the_settings_and_the_demo_cells(toy):
+    toy.write_notebooks()
+    before = toy.load().version
+    toy.set("question_seconds = 21")
+    slower = toy.load().version
     assert slower != before
-    tiny_course.append("pyproject.toml", "\n[tool.other]\nname = 1\n")
-    assert tiny_course.load().version == slower
-    book = tiny_course.root / "notebooks/1_kitchen.ipynb"
+    toy.append("pyproject.toml", "\n[tool.other]\nname = 1\n")
+    assert toy.load().version == slower
+    book = toy.root / "notebooks/1_kitchen.ipynb"
     document = json.loads(book.read_text())
     document["cells"][1]["metadata"]["tags"] = ["demo"]
     book.write_text(json.dumps(document))
-    assert tiny_course.load().version != slower
+    assert toy.load().version != slower
 
 
 def test_the_version_changes_with_the_autograder_that_marks_and_not_with_its_reports(
-    tiny_course, tmp_path, monkeypatch
+    toy, tmp_path, monkeypatch
 ):
     from autograder.course import course
 
@@ -289,31 +289,30 @@ def test_the_version_changes_with_the_autograder_that_marks_and_not_with_its_rep
         (package / folder).mkdir(parents=True)
         (package / folder / "it.py").write_text("one = 1")
     monkeypatch.setattr(course, "_PACKAGE", package)
-    before = tiny_course.load().version
+    before = toy.load().version
     (package / "reports/it.py").write_text("two = 2")
-    assert tiny_course.load().version == before
+    assert toy.load().version == before
     (package / "marking/it.py").write_text("two = 2")
-    assert tiny_course.load().version != before
+    assert toy.load().version != before
 
 
-def test_the_version_is_that_of_another_checkout(tiny_course, tmp_path):
-    (tiny_course.root / "data").mkdir()
-    (tiny_course.root / "data/scan.csv").write_text("1, 2")
+def test_the_version_is_that_of_another_checkout(toy, tmp_path):
+    (toy.root / "data").mkdir()
+    (toy.root / "data/scan.csv").write_text("1, 2")
     copy = tmp_path / "elsewhere"
-    shutil.copytree(tiny_course.root, copy, copy_function=shutil.copyfile)
-    assert load_course(copy).version == tiny_course.load().version
+    shutil.copytree(toy.root, copy, copy_function=shutil.copyfile)
+    assert load_course(copy).version == toy.load().version
 
 
-def test_settings_come_from_pyproject_and_the_rest_from_the_defaults(tiny_course):
-    tiny_course.append("pyproject.toml", "memory_mb = 300\n")
-    settings = tiny_course.load().settings
+def test_settings_come_from_pyproject_and_the_rest_from_the_defaults(toy):
+    settings = toy.set("memory_mb = 300\nnotebook_seconds = 60").load().settings
     assert (settings.memory_mb, settings.notebook_seconds) == (300, 60)
     assert settings.cell_seconds == Settings().cell_seconds
 
 
-def test_a_course_without_pyproject_has_the_default_limits(tiny_course):
-    (tiny_course.root / "pyproject.toml").unlink()
-    assert tiny_course.load().settings == Settings()
+def test_a_course_without_pyproject_has_the_default_limits(toy):
+    (toy.root / "pyproject.toml").unlink()
+    assert toy.load().settings == Settings()
 
 
 @pytest.mark.parametrize(
@@ -339,9 +338,9 @@ def test_a_course_without_pyproject_has_the_default_limits(tiny_course):
         "cell_seconds = 2026-01-01",
     ],
 )
-def test_a_setting_that_is_unknown_or_no_positive_number_is_said(tiny_course, line):
-    tiny_course.append("pyproject.toml", line + "\n")
-    sentence = refusal(tiny_course)
+def test_a_setting_that_is_unknown_or_no_positive_number_is_said(toy, line):
+    toy.append("pyproject.toml", line + "\n")
+    sentence = refusal(toy)
     assert line.split()[0] in sentence
     assert "pyproject.toml" in sentence
     assert sentence.endswith(".")
@@ -357,27 +356,27 @@ def test_a_setting_that_is_unknown_or_no_positive_number_is_said(tiny_course, li
         ("kinds = 3", "kinds is 3, and must be a list in [...]"),
     ],
 )
-def test_a_wrong_setting_is_said_with_its_line_and_what_to_write(tiny_course, line, words):
-    tiny_course.append("pyproject.toml", "\n" + line + "\n")
-    text = (tiny_course.root / "pyproject.toml").read_text()
+def test_a_wrong_setting_is_said_with_its_line_and_what_to_write(toy, line, words):
+    toy.append("pyproject.toml", "\n" + line + "\n")
+    text = (toy.root / "pyproject.toml").read_text()
     number = text.splitlines().index(line) + 1
-    sentence = refusal(tiny_course)
+    sentence = refusal(toy)
     assert f"pyproject.toml, line {number}: " in sentence or "packages" in line
     assert words in sentence
 
 
-def test_seconds_may_be_a_fraction(tiny_course):
-    tiny_course.append("pyproject.toml", "cell_seconds = 0.5\n")
-    assert tiny_course.load().settings.cell_seconds == 0.5
+def test_seconds_may_be_a_fraction(toy):
+    toy.append("pyproject.toml", "cell_seconds = 0.5\n")
+    assert toy.load().settings.cell_seconds == 0.5
 
 
 @pytest.mark.parametrize("text", ["tool = 3\n", "[tool]\nautograder = 3\n"])
-def test_settings_that_are_no_table_are_refused_or_nobodys(tiny_course, text):
-    (tiny_course.root / "pyproject.toml").write_text(text)
+def test_settings_that_are_no_table_are_refused_or_nobodys(toy, text):
+    (toy.root / "pyproject.toml").write_text(text)
     if text.startswith("tool"):
-        assert tiny_course.load().settings == Settings()
+        assert toy.load().settings == Settings()
     else:
-        assert "must be a table" in refusal(tiny_course)
+        assert "must be a table" in refusal(toy)
 
 
 def test_every_question_of_the_sheet_is_asked_and_answered(real_course):

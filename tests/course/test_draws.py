@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import pytest
-from tiny_course import TinyCourse, make_tiny_course
 
 from autograder.authoring.proof_of_variants import prove_variants
 from autograder.errors import CourseError
 from autograder.marking.marker import Marker
+from tests.toy import Toy, make_toy
 
 QUESTIONS = """
 [[question]]
@@ -46,11 +46,8 @@ FILE = "notebooks/questions/kitchen.toml"
 
 
 @pytest.fixture
-def salted(tmp_path) -> TinyCourse:
-    course = make_tiny_course(tmp_path / "course")
-    course.append(FILE, QUESTIONS)
-    course.append("solutions/answers/kitchen.toml", ANSWERS)
-    return course
+def salted(tmp_path) -> Toy:
+    return make_toy(tmp_path / "course").add("kitchen", QUESTIONS, ANSWERS)
 
 
 def test_variant_0_is_the_sheets(salted):

@@ -6,12 +6,12 @@ import re
 from itertools import pairwise
 
 import pytest
-from tiny_course import TinyCourse, make_tiny_course
 
 from autograder.cli import main
 from autograder.course.places import FILE, MOST, make_places, read_places
 from autograder.errors import CourseError, UsageError
 from autograder.questions.variables import Variables
+from tests.toy import Toy, make_toy
 
 CLASS = """Student,ID,SIS User ID,SIS Login ID,Section
 "Lovelace, Ada",101,s1,ada,A
@@ -23,7 +23,7 @@ CLASS = """Student,ID,SIS User ID,SIS Login ID,Section
 
 
 @pytest.fixture
-def alone(market: TinyCourse, tmp_path) -> TinyCourse:
+def alone(market: Toy, tmp_path) -> Toy:
     """A course with numbers of everybody's own, and a class list beside it."""
     cells = "".join(f'\n\n# %% exercise="{id}"\n' for id in ("Q7", "Q7.1", "Q7.2"))
     market.append("notebooks/source/1_kitchen.py", "\n\n# %%\nme()\n" + cells)
@@ -98,7 +98,7 @@ def test_other_places_are_another_course_to_the_gradebook(alone, tmp_path):
 
 
 def test_a_course_with_the_sheets_numbers_deals_nothing(tmp_path, capsys):
-    course = make_tiny_course(tmp_path / "course")
+    course = make_toy(tmp_path / "course")
     (tmp_path / "canvas.csv").write_text(CLASS)
     assert main(["--course", str(course.root), "deal", str(tmp_path / "canvas.csv")]) == 2
     assert 'write variants = "student"' in capsys.readouterr().err

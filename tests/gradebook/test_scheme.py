@@ -11,13 +11,13 @@ from autograder.errors import CourseError
 from autograder.gradebook import Attempt, Override, Record
 from autograder.gradebook.read_scheme import read_scheme
 from tests.classroom import all_marks, graded
-from tests.tiny_course import make_tiny_course
+from tests.toy import make_toy
 
 
 @pytest.fixture(scope="module")
 def course(tmp_path_factory: pytest.TempPathFactory) -> Course:
     # The kitchen: Q1.1 3, Q1.2 5, Q1.3 2, Q1.4 4, Q1.5 4 points; the cellar: Q2.1 1 point.
-    return make_tiny_course(tmp_path_factory.mktemp("tiny")).load()
+    return make_toy(tmp_path_factory.mktemp("toy")).load()
 
 
 def record(course: Course, student: str = "ada", **credits: float) -> Record:

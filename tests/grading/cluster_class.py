@@ -25,7 +25,7 @@ version = "0.1"
 
 [tool.autograder]
 notebook_seconds = 60
-cell_seconds = 3
+cell_seconds = 1
 question_seconds = 30
 memory_mb = 300
 """

@@ -25,7 +25,7 @@ def task(number: int) -> Task:
     """Some work of 2 KB, different for each student."""
     student = f"student{number:06}"
     cells = [student + "x" * 2000]
-    contents = Contents({"1_orchard": Notebook(cells, {}, ())}, {}, {}, [], student)
+    contents = Contents({"3_orchard": Notebook(cells, {}, ())}, {}, {}, [], student)
     return Task(Submission(student, Path(student)), contents)
 
 

@@ -11,6 +11,7 @@ from autograder.cli import main
 from autograder.gradebook import Gradebook, Record
 from autograder.sandbox.inside.exceptions import after_import, tell
 from tests.classroom import hand_in, make_course
+from tests.toy import Toy
 
 
 @pytest.fixture(scope="module")
@@ -139,8 +140,7 @@ def test_an_exception_that_cannot_be_printed_is_still_told():
 )
 def test_packages_that_are_no_names_are_refused(tmp_path: Path, value: str, words: str, capsys):
     make_course(tmp_path / "course")
-    with (tmp_path / "course/pyproject.toml").open("a") as file:
-        file.write(f"[tool.autograder]\npackages = {value}\n")
+    Toy(tmp_path / "course").set(f"packages = {value}")
     hand_in(tmp_path / "work", "ada")
     assert main(["--course", str(tmp_path / "course"), "grade", str(tmp_path / "work")]) == 1
     assert words in capsys.readouterr().err
@@ -148,8 +148,7 @@ def test_packages_that_are_no_names_are_refused(tmp_path: Path, value: str, word
 
 def test_a_package_that_the_course_allows_and_nobody_installed_stops_the_run(tmp_path, capsys):
     make_course(tmp_path / "course")
-    with (tmp_path / "course/pyproject.toml").open("a") as file:
-        file.write('[tool.autograder]\npackages = ["nowhere"]\n')
+    Toy(tmp_path / "course").set('packages = ["nowhere"]')
     hand_in(tmp_path / "work", "ada")
     arguments = ["grade", str(tmp_path / "work"), "--out", str(tmp_path / "grades")]
     assert main(["--course", str(tmp_path / "course"), *arguments]) == 1

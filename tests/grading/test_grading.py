@@ -1,4 +1,4 @@
-"""Grading the tiny course: what is run, what costs what, what is kept, and the exit status."""
+"""Grading the toy course: what is run, what costs what, what is kept, and the exit status."""
 
 import csv
 import io
@@ -10,7 +10,6 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from tiny_course import TinyCourse
 
 from autograder.cli import main
 from autograder.course import Settings
@@ -20,6 +19,7 @@ from autograder.marking import Mark
 from autograder.marking.marker import Marker
 from autograder.sandbox.launcher import Stopped
 from autograder.sandbox.stopped import out_of_time
+from tests.toy import Toy
 
 RIGHT_ORDER = ["cup", "boil", "stir", "pour", "stir_again", "drink"]
 
@@ -53,7 +53,7 @@ class Scripted:
         return reply
 
 
-def grade(course: TinyCourse, sandbox: Scripted, contents: Contents) -> dict[str, Mark]:
+def grade(course: Toy, sandbox: Scripted, contents: Contents) -> dict[str, Mark]:
     marks = grade_contents(contents, Marker(course.load(), seed=1), sandbox)  # type: ignore[arg-type]
     assert [mark.question for mark in marks] == list(course.load().questions)
     return {mark.question: mark for mark in marks}
@@ -67,24 +67,24 @@ def statuses(marks: dict[str, Mark]) -> list[str]:
     return [mark.status for mark in marks.values()]
 
 
-def test_values_come_from_the_process_and_choices_from_the_saved_responses(tiny_course):
+def test_values_come_from_the_process_and_choices_from_the_saved_responses(toy):
     sidecars = {"kitchen": {"Q1.2": {"response": RIGHT_ORDER}}}
     sandbox = Scripted(
         {"responses": {"Q1.1": [True, False, True]}}, eggs={"state": "given", "value": 12}
     )
-    marks = grade(tiny_course, sandbox, kitchen(sidecars=sidecars))
+    marks = grade(toy, sandbox, kitchen(sidecars=sidecars))
     assert [marks[f"Q1.{n}"].status for n in (1, 2, 3)] == ["right"] * 3
     assert marks["Q1.4"].status == "not attempted"
 
 
-def test_the_saved_response_beats_the_code_and_the_code_beats_the_receipt(tiny_course):
+def test_the_saved_response_beats_the_code_and_the_code_beats_the_receipt(toy):
     wrong, partly, right = [False, True, False], [True, True, True], [True, False, True]
     receipts = {"Q1.1": wrong}
     book = {"kitchen": Notebook(["ask"], receipts)}
-    only_receipt = grade(tiny_course, Scripted(), Contents(book))
-    with_code = grade(tiny_course, Scripted({"responses": {"Q1.1": partly}}), Contents(book))
+    only_receipt = grade(toy, Scripted(), Contents(book))
+    with_code = grade(toy, Scripted({"responses": {"Q1.1": partly}}), Contents(book))
     with_all = grade(
-        tiny_course,
+        toy,
         Scripted({"responses": {"Q1.1": partly}}),
         Contents(book, sidecars={"kitchen": {"Q1.1": {"response": right}}}),
     )
@@ -92,22 +92,22 @@ def test_the_saved_response_beats_the_code_and_the_code_beats_the_receipt(tiny_c
 
 
 @pytest.mark.parametrize("status", ["timeout", "killed"])
-def test_a_stopped_notebook_is_no_silent_zero(tiny_course, status):
+def test_a_stopped_notebook_is_no_silent_zero(toy, status):
     """Only what was clicked before still counts."""
     contents = kitchen(sidecars={"kitchen": {"Q1.1": {"response": [True, False, True]}}})
-    marks = grade(tiny_course, Scripted(Stopped(status)), contents)
+    marks = grade(toy, Scripted(Stopped(status)), contents)
     assert statuses(marks) == ["right", status, status, status, status, "not attempted"]
     assert all(mark.points == 0 for id, mark in marks.items() if id != "Q1.1")
 
 
 @pytest.mark.parametrize("status", ["timeout", "killed"])
-def test_a_stopped_response_costs_one_question(tiny_course, status):
+def test_a_stopped_response_costs_one_question(toy, status):
     sandbox = Scripted(eggs=Stopped(status), rim={"state": "not attempted"})
-    marks = grade(tiny_course, sandbox, kitchen())
+    marks = grade(toy, sandbox, kitchen())
     assert (marks["Q1.3"].status, marks["Q1.4"].status) == (status, "not attempted")
 
 
-def test_the_whole_submission_has_one_deadline_and_a_mark_says_when_it_had_passed(tiny_course):
+def test_the_whole_submission_has_one_deadline_and_a_mark_says_when_it_had_passed(toy):
     deadlines = []
 
     class Watched(Scripted):
@@ -116,7 +116,7 @@ def test_the_whole_submission_has_one_deadline_and_a_mark_says_when_it_had_passe
             return super().session(deadline)
 
     late = out_of_time()
-    course = replace(tiny_course.load(), settings=Settings(submission_seconds=7))
+    course = replace(toy.load(), settings=Settings(submission_seconds=7))
     contents = Contents({"kitchen": Notebook(["1"]), "cellar": Notebook(["2"])})
     before = time.monotonic()
     marks = grade_contents(contents, Marker(course, seed=1), Watched(eggs=late, share=late))
@@ -134,39 +134,39 @@ def test_the_whole_submission_has_one_deadline_and_a_mark_says_when_it_had_passe
     )
 
 
-def test_an_unreadable_chapter_is_unreadable_in_every_kind_but_for_saved_choices(tiny_course):
+def test_an_unreadable_chapter_is_unreadable_in_every_kind_but_for_saved_choices(toy):
     contents = Contents(
         {},
         sidecars={"kitchen": {"Q1.2": {"response": RIGHT_ORDER}}},
         unreadable={"kitchen": "1_kitchen.ipynb is cut off."},
     )
-    marks = grade(tiny_course, Scripted(), contents)
+    marks = grade(toy, Scripted(), contents)
     expected = ["unreadable", "right", "unreadable", "unreadable", "unreadable", "not attempted"]
     assert statuses(marks) == expected
     assert marks["Q1.3"].feedback == "1_kitchen.ipynb is cut off."
 
 
-def test_a_name_that_is_missing_because_its_cell_raised_is_an_error(tiny_course):
+def test_a_name_that_is_missing_because_its_cell_raised_is_an_error(toy):
     contents = kitchen("eggs = 3 * four", "rim = 2")
     report = {"errors": ["NameError", None]}
-    marks = grade(tiny_course, Scripted(report), contents)
+    marks = grade(toy, Scripted(report), contents)
     assert marks["Q1.3"].status == "error"
     assert "The cell that should define eggs raised" in marks["Q1.3"].feedback
     assert marks["Q1.4"].status == "not attempted"
 
 
 @pytest.mark.parametrize("cell", ["def mean_weight(w):\n    1/0", "eggs: int = x", "eggs = x"])
-def test_a_defining_cell_is_found_in_any_form(tiny_course, cell):
-    marks = grade(tiny_course, Scripted({"errors": ["NameError"]}), kitchen(cell))
+def test_a_defining_cell_is_found_in_any_form(toy, cell):
+    marks = grade(toy, Scripted({"errors": ["NameError"]}), kitchen(cell))
     assert list(statuses(marks)).count("error") == 1
 
 
 @pytest.mark.parametrize(
     "filling", ["\n", " ", " \n", "\t\n ", "def\n", "def ", "eggs ", "eggs:\n"]
 )
-def test_a_long_cell_that_defines_nothing_is_searched_at_once(tiny_course, filling):
+def test_a_long_cell_that_defines_nothing_is_searched_at_once(toy, filling):
     began = time.process_time()
-    marks = grade(tiny_course, Scripted({"errors": ["E"]}), kitchen(filling * 100_000 + "1 / 0"))
+    marks = grade(toy, Scripted({"errors": ["E"]}), kitchen(filling * 100_000 + "1 / 0"))
     assert time.process_time() - began < 5  # of this process alone
     assert marks["Q1.3"].status == "not attempted"
 
@@ -179,21 +179,21 @@ def test_a_long_cell_that_defines_nothing_is_searched_at_once(tiny_course, filli
         {"responses": {"Q1.1": "ttf", "Q1.2": [None]}},
     ],
 )
-def test_a_report_of_any_shape_is_survived(tiny_course, report):
-    marks = grade(tiny_course, Scripted(report, eggs={"state": "given", "value": 12}), kitchen())
+def test_a_report_of_any_shape_is_survived(toy, report):
+    marks = grade(toy, Scripted(report, eggs={"state": "given", "value": 12}), kitchen())
     assert marks["Q1.3"].status == "right"
     assert sum(mark.points for mark in marks.values()) == 2
 
 
-def test_a_notebook_of_any_name_is_known_by_the_questions_it_asks(tiny_course):
+def test_a_notebook_of_any_name_is_known_by_the_questions_it_asks(toy):
     book = Contents({"homework": Notebook(['check("Q2.1", share)'])})
     sandbox = Scripted(share={"state": "given", "value": 1 / 3})
-    assert grade(tiny_course, sandbox, book)["Q2.1"].status == "right"
+    assert grade(toy, sandbox, book)["Q2.1"].status == "right"
 
 
-def test_only_the_questions_asked_for_are_marked_and_other_chapters_not_run(tiny_course):
+def test_only_the_questions_asked_for_are_marked_and_other_chapters_not_run(toy):
     sandbox = Scripted(share={"state": "given", "value": 0.33})
-    marker = Marker(tiny_course.load(), seed=1)
+    marker = Marker(toy.load(), seed=1)
     book = Contents({"kitchen": Notebook(["1"]), "cellar": Notebook(["2"])})
     marks = grade_contents(book, marker, sandbox, frozenset({"Q2.1"}))  # type: ignore[arg-type]
     assert [(mark.question, mark.status) for mark in marks] == [("Q2.1", "right")]
@@ -218,18 +218,18 @@ def grades(out: Path) -> dict[str, dict[str, str]]:
 
 
 @pytest.fixture
-def handed_in(tiny_course, tmp_path) -> Path:
+def handed_in(toy, tmp_path) -> Path:
     """One student, everything right."""
-    tiny_course.write_notebooks()
+    toy.write_notebooks()
     folder = tmp_path / "class"
     folder.mkdir()
-    cells = {f"{stem}.ipynb": tiny_course.solved_cells(stem) for stem in ("1_kitchen", "2_cellar")}
+    cells = {f"{stem}.ipynb": toy.solved_cells(stem) for stem in ("1_kitchen", "2_cellar")}
     zipped(folder / "ada.zip", cells)
     return folder
 
 
 def test_grading_resumes_and_runs_again_only_what_changed(
-    tiny_course, handed_in, tmp_path, monkeypatch, capsys
+    toy, handed_in, tmp_path, monkeypatch, capsys
 ):
     from autograder.sandbox.launcher import Sandbox
 
@@ -244,7 +244,7 @@ def test_grading_resumes_and_runs_again_only_what_changed(
     out = tmp_path / "out"
     command = [
         "--course",
-        str(tiny_course.root),
+        str(toy.root),
         "grade",
         str(handed_in),
         "--out",
@@ -258,30 +258,28 @@ def test_grading_resumes_and_runs_again_only_what_changed(
     assert main(command) == 0
     assert len(sessions) == 2
     # A second student: only that one is run.
-    zipped(handed_in / "boole.zip", {"2_cellar.ipynb": tiny_course.solved_cells("2_cellar")})
+    zipped(handed_in / "boole.zip", {"2_cellar.ipynb": toy.solved_cells("2_cellar")})
     assert main(command) == 0
     assert [row["total"] for row in grades(out).values()] == ["19", "1"]
     assert 2 < len(sessions) <= 4
     before = len(sessions)
     # Another key: everybody is marked again.
-    tiny_course.replace(
-        "solutions/answers/cellar.toml", "credit = 1.0", "credit = 0.5\nfeedback = 'x'"
-    )
+    toy.replace("solutions/answers/cellar.toml", "credit = 1.0", "credit = 0.5\nfeedback = 'x'")
     assert main(command) == 0
     assert len(sessions) > before
     assert grades(out)["boole"]["total"] == "0.5"
 
 
 def test_an_error_of_the_graders_own_costs_one_submission_and_says_so(
-    tiny_course, handed_in, tmp_path, monkeypatch, capsys
+    toy, handed_in, tmp_path, monkeypatch, capsys
 ):
     """Whatever a submission may yet find to break, the next one is graded."""
     from autograder.grading import submission as grading
     from autograder.grading import whole_class
 
-    zipped(handed_in / "boole.zip", {"2_cellar.ipynb": tiny_course.solved_cells("2_cellar")})
-    zipped(handed_in / "cantor.zip", {"2_cellar.ipynb": tiny_course.solved_cells("2_cellar")})
-    zipped(handed_in / "dedekind.zip", {"2_cellar.ipynb": tiny_course.solved_cells("2_cellar")})
+    zipped(handed_in / "boole.zip", {"2_cellar.ipynb": toy.solved_cells("2_cellar")})
+    zipped(handed_in / "cantor.zip", {"2_cellar.ipynb": toy.solved_cells("2_cellar")})
+    zipped(handed_in / "dedekind.zip", {"2_cellar.ipynb": toy.solved_cells("2_cellar")})
     broken = {"boole", "cantor"}
     read, mark = whole_class.read_submission, grading.grade_contents
 
@@ -300,7 +298,7 @@ def test_an_error_of_the_graders_own_costs_one_submission_and_says_so(
     monkeypatch.setattr(whole_class, "read_submission", read_or_fail)
     monkeypatch.setattr(grading, "grade_contents", mark_or_fail)
     out = tmp_path / "out"
-    command = ["--course", str(tiny_course.root), "grade", str(handed_in), "--out", str(out)]
+    command = ["--course", str(toy.root), "grade", str(handed_in), "--out", str(out)]
     assert main(command) == 0
     totals = {student: row["total"] for student, row in grades(out).items()}
     assert totals == {"ada": "19", "boole": "0", "cantor": "0", "dedekind": "1"}
@@ -314,7 +312,7 @@ def test_an_error_of_the_graders_own_costs_one_submission_and_says_so(
     assert [row["total"] for row in grades(out).values()] == ["19", "1", "1", "1"]
 
 
-def test_a_broken_machine_stops_the_run(tiny_course, handed_in, tmp_path, monkeypatch, capsys):
+def test_a_broken_machine_stops_the_run(toy, handed_in, tmp_path, monkeypatch, capsys):
     from autograder.grading import submission as grading
     from autograder.sandbox.launcher import SandboxError
 
@@ -323,7 +321,7 @@ def test_a_broken_machine_stops_the_run(tiny_course, handed_in, tmp_path, monkey
 
     monkeypatch.setattr(grading, "grade_contents", fail)
     out = str(tmp_path / "out")
-    command = ["--course", str(tiny_course.root), "grade", str(handed_in), "--out", out]
+    command = ["--course", str(toy.root), "grade", str(handed_in), "--out", out]
     assert main(command) == 1
     assert "Nothing works here." in capsys.readouterr().err
 
@@ -339,13 +337,11 @@ WRONG_USAGE = [
 
 
 @pytest.mark.parametrize("arguments", WRONG_USAGE)
-def test_wrong_usage_exits_with_2_and_one_sentence(
-    tiny_course, tmp_path, monkeypatch, capsys, arguments
-):
+def test_wrong_usage_exits_with_2_and_one_sentence(toy, tmp_path, monkeypatch, capsys, arguments):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "a.zip").write_bytes(b"")
     try:
-        status = main(["--course", str(tiny_course.root), *arguments])
+        status = main(["--course", str(toy.root), *arguments])
     except SystemExit as exit:
         status = exit.code
     assert status == 2
@@ -355,9 +351,9 @@ def test_wrong_usage_exits_with_2_and_one_sentence(
 
 
 @pytest.mark.parametrize("command", [["grade", "."], ["check"], ["build", "--check"]])
-def test_a_broken_course_exits_with_1(tiny_course, tmp_path, monkeypatch, capsys, command):
+def test_a_broken_course_exits_with_1(toy, tmp_path, monkeypatch, capsys, command):
     monkeypatch.chdir(tmp_path)
-    tiny_course.replace("notebooks/questions/kitchen.toml", 'id = "Q1.3"', 'id = "Q1.4"')
-    assert main(["--course", str(tiny_course.root), *command]) == 1
+    toy.replace("notebooks/questions/kitchen.toml", 'id = "Q1.3"', 'id = "Q1.4"')
+    assert main(["--course", str(toy.root), *command]) == 1
     captured = capsys.readouterr()
-    assert "Two questions have the id Q1.4" in captured.err + captured.out
+    assert "two questions have this id" in captured.err + captured.out

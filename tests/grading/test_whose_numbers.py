@@ -8,17 +8,16 @@ from typing import get_args
 
 import numpy as np
 import pytest
-from tiny_course import make_tiny_course
 
 from autograder.cli import main
 from autograder.course import Course
 from autograder.course.places import FILE as FILE_OF_PLACES
 from autograder.course.places import make_places
-from autograder.exchange.identity import FILE
+from autograder.exchange.identity import FILE, said_in_code
 from autograder.gradebook import Record
 from autograder.gradebook.book import Gradebook
 from autograder.grading.graded import Graded
-from autograder.grading.submission import grade_contents
+from autograder.grading.submission import grade_contents, grade_submission
 from autograder.intake.submissions import Contents, Notebook, Submission
 from autograder.marking import Mark
 from autograder.marking.marker import Marker
@@ -26,6 +25,7 @@ from autograder.reports.class_html import class_html
 from autograder.reports.statistics import MistakesMade
 from autograder.reports.variants import Difficulty, VariantSums
 from autograder.sandbox.launcher import Isolation, Sandbox
+from tests.toy import make_toy
 
 QUESTION = """
 [story.market]
@@ -56,12 +56,9 @@ NAMES = ["Ada Lovelace", "George Boole", "Johannes Kepler", "Emmy Noether", "Ros
 
 @pytest.fixture(scope="module")
 def market(tmp_path_factory) -> Course:
-    course = make_tiny_course(tmp_path_factory.mktemp("market") / "course")
-    course.append("notebooks/questions/kitchen.toml", QUESTION)
-    course.append("solutions/answers/kitchen.toml", ANSWER)
-    setting = '[tool.autograder]\nvariants = "student"\nothers_numbers = "nothing"'
-    course.replace("pyproject.toml", "[tool.autograder]", setting)
-    return course.load()
+    course = make_toy(tmp_path_factory.mktemp("market") / "course")
+    course.add("kitchen", QUESTION, ANSWER)
+    return course.set('variants = "student"\nothers_numbers = "nothing"').load()
 
 
 def hand_in(folder: Path, name: str, says: str, bought: int | str) -> None:
@@ -95,14 +92,38 @@ def test_what_a_notebook_computes_from_its_numbers_is_right_for_its_student(
     assert len({record.graded.marks[0].understood for record in records}) > 1
 
 
+@pytest.mark.parametrize("call", ['me("Ada Lovelace")', "me( 'Ada Lovelace' )  # that is me"])
+def test_a_notebook_without_its_responses_is_marked_by_the_name_in_it(market: Course, call: str):
+    """What it computes from its numbers is right; the sheet's are somebody else's."""
+    assert market.for_student(NAMES[0]).numbers("Q7") != market.numbers("Q7")
+    source = f"import math\n\n{call}\nboxes, eggs = numbers('market')\nbought = boxes * eggs"
+    start = "from autograder import me, numbers"
+    contents = Contents({"kitchen": Notebook(cells=[start, source], receipts={})}, sidecars={})
+    submission = Submission("ada", Path("ada"))
+    with Sandbox(market, "none") as sandbox:
+        graded = grade_submission(submission, contents, Marker(market, 1), sandbox, ["Q7"])
+    assert graded.marks[0].status == "right", graded.marks[0]
+    assert graded.numbers_of == NAMES[0]
+
+
+@pytest.mark.parametrize(
+    ("cells", "name"),
+    [
+        (['me("Ada")'], "Ada"),
+        (["import x\n\nme('Ada')  # that is me", "me(17)"], "17"),
+        (["me()", "me(name)", '# me("Ada")', 'some("Ada")', 'print(me("Ada"))'], ""),
+        (['me("A\tda")'], "A da"),
+    ],
+)
+def test_a_name_is_read_in_code_without_running_it(cells: list[str], name: str):
+    assert said_in_code(cells) == name
+
+
 @pytest.mark.parametrize("tier", get_args(Isolation))
 def test_a_notebook_finds_the_numbers_that_were_dealt(tmp_path: Path, tier: Isolation):
     """Not those that a name alone decides: the process sees everybody's place, as students do."""
-    dealt = make_tiny_course(tmp_path / "course")
-    dealt.append("notebooks/questions/kitchen.toml", QUESTION)
-    dealt.append("solutions/answers/kitchen.toml", ANSWER)
-    setting = '[tool.autograder]\nvariants = "student"'
-    dealt.replace("pyproject.toml", "[tool.autograder]", setting)
+    dealt = make_toy(tmp_path / "course").add("kitchen", QUESTION, ANSWER)
+    dealt.set('variants = "student"')
     by_name = dealt.load()
     (dealt.root / FILE_OF_PLACES).write_text(
         make_places({name: n for n, name in enumerate(NAMES)}).text()
@@ -210,14 +231,13 @@ def test_a_variant_that_is_harder_is_found_and_equal_ones_are_not(market):
 
 
 def test_a_mistake_has_one_name_in_all_variants(tmp_path):
-    course = make_tiny_course(tmp_path / "course")
+    course = make_toy(tmp_path / "course")
     course.replace(
         "notebooks/questions/kitchen.toml",
         'hints = ["Put an ice cube into a glass."]',
         'hints = ["Put an ice cube into a glass."]\ndraws = [[1, 2], [2, 3], [3, 2]]',
     )
-    course.replace("pyproject.toml", "[tool.autograder]", '[tool.autograder]\nvariants = "student"')
-    loaded = course.load()
+    loaded = course.set('variants = "student"').load()
     made = MistakesMade(loaded)
     for name in ("ada", "boole", "kepler", "noether", "hopper", "parks"):
         own = loaded.for_student(name)

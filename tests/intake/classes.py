@@ -63,7 +63,7 @@ class Someone:
         return notebook(cells).encode()
 
     def zip(self, attempt: str = "last", folder: str = "") -> bytes:
-        return zipped({f"{folder}1_orchard.ipynb": self.book(attempt)})
+        return zipped({f"{folder}3_orchard.ipynb": self.book(attempt)})
 
 
 PEOPLE = tuple(Someone(name, number) for number, name in enumerate(NAMES))
@@ -95,7 +95,7 @@ def put(path: Path, data: bytes) -> Path:
 def ghosts(folder: Path) -> None:
     """What lies about in every download and nobody handed in."""
     put(folder / ".DS_Store", b"\0")
-    put(folder / "__MACOSX/._1_orchard.ipynb", b"\0")
+    put(folder / "__MACOSX/._3_orchard.ipynb", b"\0")
     put(folder / "Thumbs.db", b"\0")
 
 
@@ -109,9 +109,9 @@ def moodle(root: Path) -> Download:
         if kind == 0:
             put(folder / "submission.zip", person.zip())
         elif kind == 1:
-            put(folder / "1_orchard.ipynb", person.book())
+            put(folder / "3_orchard.ipynb", person.book())
         else:
-            put(folder / "my work/notebooks/1_orchard.ipynb", person.book())
+            put(folder / "my work/notebooks/3_orchard.ipynb", person.book())
     online = f"{PEOPLE[2].name}_{PEOPLE[2].participant}_assignsubmission_onlinetext"
     put(work / online / "onlinetext.html", b"<p>see file</p>")
     ghosts(work)
@@ -126,7 +126,7 @@ def moodle_flat(root: Path) -> Download:
         if person.number % 2:
             put(work / f"{start}submission (1).zip", person.zip(folder="notebooks/"))
         else:
-            put(work / f"{start}1_orchard.ipynb", person.book())
+            put(work / f"{start}3_orchard.ipynb", person.book())
     return Download(work, worksheet(root), {p.email: p.time for p in PEOPLE})
 
 
@@ -149,11 +149,11 @@ def canvas(root: Path) -> Download:
             put(work / f"{start}_{4000 + person.number}_submission.zip", person.zip("old"))
             put(work / f"{start}_{5000 + person.number}_submission-1.zip", person.zip())
         elif person.number % 3 == 2:
-            put(work / f"{start}_{5000 + person.number}_1_orchard.ipynb", person.book())
+            put(work / f"{start}_{5000 + person.number}_3_orchard.ipynb", person.book())
             extra = notebook(["# more"]).encode()
             put(work / f"{start}_{6000 + person.number}_scratch_12_34_x.ipynb", extra)
         else:
-            put(work / f"{start}_{5000 + person.number}_1_orchard-2.ipynb", person.book())
+            put(work / f"{start}_{5000 + person.number}_3_orchard-2.ipynb", person.book())
     ghosts(work)
     rows = ["Student,ID,SIS User ID,SIS Login ID,Section,Exercise 3 (4711)"]
     rows.append("    Points Possible,,,,,10")
@@ -169,7 +169,7 @@ def gradescope(root: Path) -> Download:
     said = ["---"]
     for person in PEOPLE:
         folder = f"submission_{3000 + person.number}"
-        put(work / folder / "1_orchard.ipynb", person.book())
+        put(work / folder / "3_orchard.ipynb", person.book())
         time = person.time.strftime("%Y-%m-%d %H:%M:%S.000000000 Z")
         said += [f"{folder}:", "  :submitters:", f"  - :name: {person.name}"]
         said += [f"    :sid: 'S{person.id}'", f"    :email: {person.email}"]
@@ -203,7 +203,7 @@ def nbgrader(root: Path) -> Download:
     work = root / "course"
     for person in PEOPLE:
         folder = work / "submitted" / person.login / "ex3"
-        put(folder / "1_orchard.ipynb", person.book())
+        put(folder / "3_orchard.ipynb", person.book())
         put(folder / "timestamp.txt", f"{person.time:%Y-%m-%d %H:%M:%S}.123456 UTC".encode())
     ghosts(work)
     ghosts(work / "submitted")
@@ -215,11 +215,11 @@ def github(root: Path) -> Download:
     work = root / "exercise-3-submissions"
     for person in PEOPLE:
         folder = work / f"exercise-3-git-{person.login}"
-        put(folder / "1_orchard.ipynb", person.book())
+        put(folder / "3_orchard.ipynb", person.book())
         git(folder, "init", "-q")
         commit(folder, person.time)
         if person.number == 0:
-            put(folder / "1_orchard.ipynb", person.book("too late"))
+            put(folder / "3_orchard.ipynb", person.book("too late"))
             commit(folder, FIRST_TIME + timedelta(days=30))
     ghosts(work)
     rows = ["identifier,github_username,github_id,name"]
@@ -249,7 +249,7 @@ def plain(root: Path) -> Download:
         if kind == 0:
             put(work / f"{person.login}.zip", person.zip(folder="notebooks/"))
         elif kind == 1:
-            put(work / person.login / "1_orchard.ipynb", person.book())
+            put(work / person.login / "3_orchard.ipynb", person.book())
         elif kind == 2:
             called = person.email if person.number == 2 else person.name
             put(work / f"{called}.ipynb", person.book())

@@ -27,24 +27,24 @@ PEOPLE = tuple(Person(login.title(), login=login) for login in LOGINS)
 
 def moodle(folder: Path) -> None:
     for number, login in enumerate(LOGINS):
-        put(folder / f"{login.title()}_{number}_assignsubmission_file/1_orchard.ipynb", BOOK)
+        put(folder / f"{login.title()}_{number}_assignsubmission_file/3_orchard.ipynb", BOOK)
 
 
 def canvas(folder: Path) -> None:
     for number, login in enumerate(LOGINS):
-        put(folder / f"{login}_{number}_47{number}_work.zip", zipped({"1_orchard.ipynb": BOOK}))
+        put(folder / f"{login}_{number}_47{number}_work.zip", zipped({"3_orchard.ipynb": BOOK}))
 
 
 def gradescope(folder: Path) -> None:
     who = [f"{n}:\n  :submitters:\n  - :name: {login}\n" for n, login in enumerate(LOGINS)]
     put(folder / "submission_metadata.yml", "".join(who).encode())
     for number in range(len(LOGINS)):
-        put(folder / f"{number}/1_orchard.ipynb", BOOK)
+        put(folder / f"{number}/3_orchard.ipynb", BOOK)
 
 
 def plain(folder: Path) -> None:
     for login in LOGINS:
-        put(folder / f"{login}.zip", zipped({"1_orchard.ipynb": BOOK}))
+        put(folder / f"{login}.zip", zipped({"3_orchard.ipynb": BOOK}))
 
 
 BESIDE: dict[str, Callable[[Path], object]] = {
@@ -53,8 +53,8 @@ BESIDE: dict[str, Callable[[Path], object]] = {
         and shutil.move(top.parent / "made.zip", top / "submissions.zip")
     ),
     "somebody's folder": lambda top: put(top / "old/try.ipynb", BOOK),
-    "a zip": lambda top: put(top / "handout.zip", zipped({"1_orchard.ipynb": BOOK})),
-    "a notebook": lambda top: put(top / "1_orchard.ipynb", BOOK),
+    "a zip": lambda top: put(top / "handout.zip", zipped({"3_orchard.ipynb": BOOK})),
+    "a notebook": lambda top: put(top / "3_orchard.ipynb", BOOK),
 }
 
 
@@ -86,9 +86,9 @@ def test_something_beside_the_folder_of_a_class_stops_and_asks(
 
 
 def test_a_students_drafts_beside_the_work_are_still_one_student(course: Course, tmp_path: Path):
-    for name in ("1_orchard.ipynb", "old/1_orchard.ipynb", "drafts/try.ipynb"):
+    for name in ("3_orchard.ipynb", "old/3_orchard.ipynb", "drafts/try.ipynb"):
         put(tmp_path / "ada" / name, BOOK)
-    put(tmp_path / "ada/backup.zip", zipped({"1_orchard.ipynb": BOOK}))
+    put(tmp_path / "ada/backup.zip", zipped({"3_orchard.ipynb": BOOK}))
     assert [entry.student for entry in read(course, [tmp_path / "ada"]).submissions] == ["ada"]
 
 
@@ -98,7 +98,7 @@ def test_downloads_of_several_sections_are_read_together_zipped_or_not(
     for section in "AB":
         for number, login in enumerate(LOGINS[:2] if section == "A" else LOGINS[2:]):
             name = f"{login.title()}_{number}_assignsubmission_file"
-            put(tmp_path / "work" / section / name / "1_orchard.ipynb", BOOK)
+            put(tmp_path / "work" / section / name / "3_orchard.ipynb", BOOK)
         zips = tmp_path / "zips"
         shutil.make_archive(str(zips / section), "zip", tmp_path / "work" / section)
     for paths in ([tmp_path / "work"], [zips], sorted(zips.iterdir())):
@@ -112,10 +112,10 @@ def test_the_whole_folder_of_an_nbgrader_course_is_read_by_what_was_submitted(
     top = tmp_path / "course"
     for login in LOGINS:
         for stage in ("submitted", "autograded", "feedback"):
-            put(top / stage / login / "ps1/1_orchard.ipynb", BOOK)
+            put(top / stage / login / "ps1/3_orchard.ipynb", BOOK)
         put(top / "submitted" / login / "ps1/timestamp.txt", b"2026-11-01 12:30:05.0 UTC")
-    put(top / "source/ps1/1_orchard.ipynb", BOOK)
-    put(top / "release/ps1/1_orchard.ipynb", BOOK)
+    put(top / "source/ps1/3_orchard.ipynb", BOOK)
+    put(top / "release/ps1/3_orchard.ipynb", BOOK)
     put(top / "nbgrader_config.py", b"c = get_config()")
     put(top / "gradebook.db", b"SQLite format 3")
     put(top / "notes.txt", b"ask Ada")
@@ -173,8 +173,8 @@ def test_a_number_from_a_browser_does_not_hide_whose_a_file_is(
     course: Course, tmp_path: Path, name: str
 ):
     top = tmp_path / "work"
-    data = zipped({"1_orchard.ipynb": BOOK}) if name.endswith("zip") else BOOK
-    put(top / name / "1_orchard.ipynb" if name == "boole (1)" else top / name, data)
+    data = zipped({"3_orchard.ipynb": BOOK}) if name.endswith("zip") else BOOK
+    put(top / name / "3_orchard.ipynb" if name == "boole (1)" else top / name, data)
     put(top / "ada.ipynb", BOOK)
 
     def owners() -> list[tuple[str, list[str]]]:

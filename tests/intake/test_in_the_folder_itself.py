@@ -73,7 +73,7 @@ def test_a_student_who_hands_in_a_file_called_like_the_gradebook_is_a_student(
     course: Course, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ):
     for login in ("ada", "boole", "curie"):
-        put(tmp_path / "work" / login / "1_orchard.ipynb", PEOPLE[0].book())
+        put(tmp_path / "work" / login / "3_orchard.ipynb", PEOPLE[0].book())
     put(tmp_path / "work/ada/gradebook.db", b"SQLite format 3")
     put(tmp_path / "work/boole/grades/gradebook.db", b"SQLite format 3")
     where = [str(tmp_path / "work"), "--json", "--out", str(tmp_path / "grades")]

@@ -42,7 +42,7 @@ class Class:
 
     def hand_in(self, *names: str, data: bytes = BOOK) -> None:
         for name in names:
-            put(self.work / name, zipped({"1_orchard.ipynb": data}))
+            put(self.work / name, zipped({"3_orchard.ipynb": data}))
 
     def run(self, command: str, *arguments: str, path: Path | None = None) -> tuple[int, Told]:
         lists = [said for list in self.lists for said in ("--class-list", str(list))]
@@ -135,7 +135,7 @@ def test_the_sources_of_a_time_go_before_each_other_in_their_order(school: Class
     """The class list, the layout, times.csv, the submission itself, and only when told the file."""
     start = "Exercise_{login}_attempt_2026-11-01-12-00-00"
     for login in ("ada", "boole"):
-        put(school.work / f"{start.format(login=login)}_x.zip", zipped({"1_orchard.ipynb": BOOK}))
+        put(school.work / f"{start.format(login=login)}_x.zip", zipped({"3_orchard.ipynb": BOOK}))
     listed = '[[student]]\nname = "Ada Lovelace"\nlogin = "ada"\nhanded_in = 2026-11-03T00:00:00Z\n'
     school.lists = [put(school.root / "class.toml", (LATE + listed).encode())]
     school.lists.append(put(school.root / "people.csv", PEOPLE.encode()))
@@ -149,10 +149,10 @@ def test_the_sources_of_a_time_go_before_each_other_in_their_order(school: Class
     assert school.of(told, "boole")["time_from"] == "layout"
 
     shutil.rmtree(school.work)
-    packed = {"1_orchard.ipynb": BOOK, "submitted.txt": b"2026-11-04T00:00:00+00:00"}
+    packed = {"3_orchard.ipynb": BOOK, "submitted.txt": b"2026-11-04T00:00:00+00:00"}
     put(school.work / "boole.zip", zipped(packed))
     put(school.work / "curie.zip", zipped(packed))
-    put(school.work / "ada2.zip", zipped({"1_orchard.ipynb": BOOK}))
+    put(school.work / "ada2.zip", zipped({"3_orchard.ipynb": BOOK}))
     os.utime(school.work / "ada2.zip", (1793620800, 1793620800))  # 2026-11-02, 12:00 UTC
     told = school.intake("--times", str(times))
     assert school.of(told, "boole")["time_from"] == "times.csv"
@@ -165,7 +165,7 @@ def test_the_sources_of_a_time_go_before_each_other_in_their_order(school: Class
 
 
 def test_a_line_of_the_times_that_fits_nobody_is_said(school: Class):
-    put(school.work / "ada.zip", zipped({"1_orchard.ipynb": BOOK}))
+    put(school.work / "ada.zip", zipped({"3_orchard.ipynb": BOOK}))
     school.lists = [put(school.root / "people.csv", PEOPLE.encode())]
     lines = b"login,time\nada,2026-11-02T00:00Z\nboole,2026-11-02T00:00Z\nadda,2026-11-02T00:00Z"
     told = school.intake("--times", str(put(school.root / "when.csv", lines)))
@@ -213,7 +213,7 @@ def test_one_late_among_others_is_late_and_nothing_is_doubted(school: Class):
 
 
 def test_what_only_the_submission_says_is_a_hint_and_costs_nothing(school: Class):
-    packed = {"1_orchard.ipynb": BOOK, "submitted.txt": b"2026-11-24T00:00:00+00:00"}
+    packed = {"3_orchard.ipynb": BOOK, "submitted.txt": b"2026-11-24T00:00:00+00:00"}
     put(school.work / "ada.zip", zipped(packed))
     school.hand_in("boole.zip")
     entry = school.of(school.intake(), "ada")
@@ -306,7 +306,7 @@ def test_files_that_change_while_they_are_graded_are_named(
 
 
 def repository(folder: Path) -> None:
-    put(folder / "1_orchard.ipynb", BOOK)
+    put(folder / "3_orchard.ipynb", BOOK)
     git(folder, "init", "-q")
     commit(folder, datetime(2026, 11, 1, 12, tzinfo=UTC))
 
@@ -385,7 +385,7 @@ def test_a_commit_in_the_future_or_before_time_began_is_no_crash(school: Class):
 
 
 def test_a_folder_that_may_be_one_or_a_class_stops_and_asks(school: Class):
-    put(school.work / "1_orchard.ipynb", BOOK)
+    put(school.work / "3_orchard.ipynb", BOOK)
     school.hand_in("someone.zip")
     status, _ = school.run("grade")
     assert status == 2
@@ -397,7 +397,7 @@ def test_a_folder_that_may_be_one_or_a_class_stops_and_asks(school: Class):
 
 
 def test_a_person_of_the_list_beside_the_courses_notebooks_makes_it_a_class(school: Class):
-    put(school.work / "1_orchard.ipynb", BOOK)
+    put(school.work / "3_orchard.ipynb", BOOK)
     school.hand_in("boole.zip")
     told = school.intake()
     assert told["handed_in"] == 2
@@ -406,8 +406,8 @@ def test_a_person_of_the_list_beside_the_courses_notebooks_makes_it_a_class(scho
 
 def test_a_layout_that_is_given_goes_before_the_marks(school: Class):
     folder = school.work / "Ada Lovelace_1_assignsubmission_file"
-    put(folder / "1_orchard.ipynb", BOOK)
-    put(school.work / "George Boole_2_assignsubmission_file/1_orchard.ipynb", BOOK)
+    put(folder / "3_orchard.ipynb", BOOK)
+    put(school.work / "George Boole_2_assignsubmission_file/3_orchard.ipynb", BOOK)
     assert school.intake()["submissions"][0]["layout"] == "moodle"
     told = school.intake("--layout", "class")
     assert [entry["layout"] for entry in told["submissions"]] == ["plain", "plain"]
@@ -419,7 +419,7 @@ def test_a_layout_that_is_given_goes_before_the_marks(school: Class):
 
 def test_one_that_fits_a_given_layout_is_enough_and_the_rest_is_named(school: Class):
     school.hand_in("boole.zip", "curie.zip")
-    put(school.work / "Ada Lovelace_1_assignsubmission_file/1_orchard.ipynb", BOOK)
+    put(school.work / "Ada Lovelace_1_assignsubmission_file/3_orchard.ipynb", BOOK)
     assert school.intake()["handed_in"] == 3
     told = school.intake("--layout", "moodle")
     assert told["handed_in"] == 1

@@ -90,7 +90,7 @@ def test_the_grade_goes_to_the_right_one_of_two_with_one_name(
     if ada.suffix == ".zip":
         from tests.intake.classes import zipped
 
-        ada.write_bytes(zipped({"1_orchard.ipynb": right.encode()}))
+        ada.write_bytes(zipped({"3_orchard.ipynb": right.encode()}))
     else:
         ada.write_text(right)
     other = next(
@@ -122,4 +122,4 @@ def test_the_grade_goes_to_the_right_one_of_two_with_one_name(
 def zipped_or_not(path: Path, book: bytes) -> bytes:
     from tests.intake.classes import zipped
 
-    return zipped({"1_orchard.ipynb": book}) if path.suffix == ".zip" else book
+    return zipped({"3_orchard.ipynb": book}) if path.suffix == ".zip" else book

@@ -117,22 +117,22 @@ def uploads(student: Student, attempt: str, rng: random.Random) -> dict[str, byt
     """What one student uploads, by its path."""
     own = book(student, attempt)
     old = book(student, "forgotten checkpoint")
-    nice = {"1_orchard.ipynb": own}
-    in_folder = {"notebooks/1_orchard.ipynb": own, "responses/orchard.json": b'{"responses": {}}'}
+    nice = {"3_orchard.ipynb": own}
+    in_folder = {"notebooks/3_orchard.ipynb": own, "responses/orchard.json": b'{"responses": {}}'}
     mac = {
-        "ex3/1_orchard.ipynb": own,
-        "__MACOSX/ex3/._1_orchard.ipynb": b"\0\5\x16\7",
+        "ex3/3_orchard.ipynb": own,
+        "__MACOSX/ex3/._3_orchard.ipynb": b"\0\5\x16\7",
         "ex3/.DS_Store": b"\0",
-        "ex3/.ipynb_checkpoints/1_orchard-checkpoint.ipynb": old,
+        "ex3/.ipynb_checkpoints/3_orchard-checkpoint.ipynb": old,
     }
-    two = {"backup/1_orchard.ipynb": HANDOUT, "final/1_orchard.ipynb": own}
+    two = {"backup/3_orchard.ipynb": HANDOUT, "final/3_orchard.ipynb": own}
     ways: list[Callable[[], dict[str, bytes]]] = [
         lambda: nice,
-        lambda: {"1_orchard (1).ipynb": own},
-        lambda: {"1_orchard.ipynb.json": own},
-        lambda: {"1_orchard.ipynb.txt": own},
-        lambda: {"1_orchard.ipynb (1).json": own},
-        lambda: {"1_orchard-Copy1.ipynb": own},
+        lambda: {"3_orchard (1).ipynb": own},
+        lambda: {"3_orchard.ipynb.json": own},
+        lambda: {"3_orchard.ipynb.txt": own},
+        lambda: {"3_orchard.ipynb (1).json": own},
+        lambda: {"3_orchard-Copy1.ipynb": own},
         lambda: {f"{student.last.split()[0]}_ORCHARD final.ipynb": own},
         lambda: {"Untitled3.ipynb": own},
         lambda: {"submission.zip": zipped(nice)},
@@ -140,14 +140,14 @@ def uploads(student: Student, attempt: str, rng: random.Random) -> dict[str, byt
         lambda: {"my work.zip": zipped(mac)},
         lambda: {"final.zip": zipped({"submission.zip": zipped(in_folder)})},
         lambda: {"ex3.zip": zipped(two)},
-        lambda: {"SUBMISSION.ZIP": zipped({f"{student.login}/notebooks/1_orchard.ipynb": own})},
-        lambda: {"windows.zip": raw_zip({"work\\notebooks\\1_orchard.ipynb": own})},
-        lambda: {"drive.zip": raw_zip({"C:/work/1_orchard.ipynb": own})},
-        lambda: {"absolute.zip": raw_zip({"/home/me/1_orchard.ipynb": own})},
-        lambda: {"1_orchard.ipynb": own, "submission.zip": zipped(nice)},
-        lambda: {"1_orchard.ipynb": own, "report.pdf": b"%PDF-1.4", "notes.txt": b"hello"},
-        lambda: {"1_orchard.ipynb": own, "scratch.ipynb": notebook(["# nothing"]).encode()},
-        lambda: {"twice.zip": raw_zip_twice("1_orchard.ipynb", old, own)},
+        lambda: {"SUBMISSION.ZIP": zipped({f"{student.login}/notebooks/3_orchard.ipynb": own})},
+        lambda: {"windows.zip": raw_zip({"work\\notebooks\\3_orchard.ipynb": own})},
+        lambda: {"drive.zip": raw_zip({"C:/work/3_orchard.ipynb": own})},
+        lambda: {"absolute.zip": raw_zip({"/home/me/3_orchard.ipynb": own})},
+        lambda: {"3_orchard.ipynb": own, "submission.zip": zipped(nice)},
+        lambda: {"3_orchard.ipynb": own, "report.pdf": b"%PDF-1.4", "notes.txt": b"hello"},
+        lambda: {"3_orchard.ipynb": own, "scratch.ipynb": notebook(["# nothing"]).encode()},
+        lambda: {"twice.zip": raw_zip_twice("3_orchard.ipynb", old, own)},
     ]
     return rng.choice(ways)()
 
@@ -320,7 +320,7 @@ def canvas(root: Path, people: list[Student], rng: random.Random, made: MadeClas
             if again:
                 older = dict.fromkeys(sent, book(person, "old"))
                 if path.lower().endswith(".zip"):
-                    older = {path: zipped({"1_orchard.ipynb": book(person, "old")})}
+                    older = {path: zipped({"3_orchard.ipynb": book(person, "old")})}
                 file += rng.randrange(1, 900)
                 put(work / f"{start}_{file}_{path}", older[path])
                 path = _versioned(path)
@@ -427,14 +427,14 @@ def github(root: Path, people: list[Student], rng: random.Random, made: MadeClas
         folder.mkdir(parents=True)
         git(folder, "init", "-q")
         if rng.random() < 0.2 and person.time < DUE:
-            put(folder / "1_orchard.ipynb", book(person, "old"))
+            put(folder / "3_orchard.ipynb", book(person, "old"))
             commit(folder, person.time - timedelta(hours=20))
-        put(folder / rng.choice(["", "notebooks/"]) / "1_orchard.ipynb", book(person))
-        if (folder / "notebooks").exists() and (folder / "1_orchard.ipynb").exists():
-            (folder / "1_orchard.ipynb").unlink()
+        put(folder / rng.choice(["", "notebooks/"]) / "3_orchard.ipynb", book(person))
+        if (folder / "notebooks").exists() and (folder / "3_orchard.ipynb").exists():
+            (folder / "3_orchard.ipynb").unlink()
         commit(folder, person.time)
         if rng.random() < 0.2 and person.time < DUE:
-            for path in folder.rglob("1_orchard.ipynb"):
+            for path in folder.rglob("3_orchard.ipynb"):
                 path.write_bytes(book(person, "too late"))
             commit(folder, DUE + timedelta(days=3))
     made.paths = [work]

@@ -17,6 +17,8 @@ import nbformat
 import pytest
 from nbformat.v4 import new_code_cell, new_notebook
 
+from tests.toy import Toy, make_toy
+
 KIND = '''
 """Two numbers: the ends of an interval."""
 
@@ -119,10 +121,9 @@ def evaluate(response, probe):
         raise Unusable("several")
     return {"values": np.array([float(plain_number(end)) for end in response])}
 """
-QUESTIONS = """
-title = "Bounds"
+QUESTION = """
 [[question]]
-id = "Q1"
+id = "Q2.2"
 kind = "interval"
 title = "Degrees"
 points = 4
@@ -130,45 +131,32 @@ variable = "degrees"
 prompt = "Between which degrees Celsius is water liquid at sea level?"
 hints = ["Ice and steam."]
 """
-ANSWERS = """
-["Q1"]
+ANSWER = """
+["Q2.2"]
 code = "(0, 100)"
 explanation = "It freezes at zero and boils at a hundred."
-[["Q1".alternative]]
+[["Q2.2".alternative]]
 name = "right"
 ends = [0, 100]
 credit = 1.0
-[["Q1".alternative]]
+[["Q2.2".alternative]]
 name = "Fahrenheit"
 ends = [32, 212]
 credit = 0.5
 feedback = "These are degrees Fahrenheit; convert them."
-[["Q1".alternative]]
+[["Q2.2".alternative]]
 name = "kelvin"
 ends = [273.15, 373.15]
 credit = 0.5
 feedback = "These are kelvin; subtract 273.15."
 """
-MASTER = """# %% [markdown]
-# # Bounds
-
-# %%
-from autograder import ask, check, progress, submit
-
-# %% exercise="Q1"
-"""
 FILES = {
-    "pyproject.toml": '[tool.autograder]\nkinds = ["notebooks.kinds.interval"]\n',
     "notebooks/__init__.py": "",
     "notebooks/kinds/__init__.py": "",
     "notebooks/kinds/interval/__init__.py": "",
     "notebooks/kinds/interval/kind.py": KIND,
     "notebooks/kinds/interval/inside/__init__.py": "",
     "notebooks/kinds/interval/inside/evaluate.py": INSIDE,
-    "notebooks/questions/bounds.toml": QUESTIONS,
-    "notebooks/source/1_bounds.py": MASTER,
-    "solutions/__init__.py": "",
-    "solutions/answers/bounds.toml": ANSWERS,
 }
 
 
@@ -187,20 +175,22 @@ def run(*command: str, cwd: Path, **environment: str) -> str:
 
 @pytest.fixture(scope="module")
 def course(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    root = tmp_path_factory.mktemp("outside") / "course"
+    toy = make_toy(tmp_path_factory.mktemp("outside") / "course", "cellar")
     for name, text in FILES.items():
-        path = root / name
+        path = toy.root / name
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text)
-    run("-m", "autograder", "build", cwd=root)
-    return root
+    toy.add("cellar", QUESTION, ANSWER).set('kinds = ["notebooks.kinds.interval"]')
+    toy.append("notebooks/source/2_cellar.py", '\n# %% exercise="Q2.2"\n')
+    run("-m", "autograder", "build", cwd=toy.root)
+    return toy.root
 
 
 def hand_in(folder: Path, student: str, code: str) -> None:
     folder.mkdir(exist_ok=True)
     notebook = new_notebook(cells=[new_code_cell(code)])
     (folder / student).mkdir()
-    nbformat.write(notebook, folder / student / "1_bounds.ipynb")
+    nbformat.write(notebook, folder / student / "2_cellar.ipynb")
 
 
 @pytest.fixture(scope="module")
@@ -218,22 +208,21 @@ def graded(course: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def test_the_course_proves_the_kind(course: Path):
     run("-m", "autograder", "check", cwd=course)
-    built = nbformat.read(course / "notebooks/1_bounds.ipynb", as_version=4)
+    built = nbformat.read(course / "notebooks/2_cellar.ipynb", as_version=4)
     assert any(cell.source == "degrees = ..." for cell in built.cells)
 
 
 def test_a_broken_key_of_the_kind_is_said_with_its_place(course: Path, tmp_path: Path):
     broken = tmp_path / "broken"
     shutil.copytree(course, broken)
-    answers = broken / "solutions/answers/bounds.toml"
-    answers.write_text(ANSWERS.replace("[32, 212]", "[212, 32]"))
+    Toy(broken).replace("solutions/answers/cellar.toml", "[32, 212]", "[212, 32]")
     done = subprocess.run(
         [sys.executable, "-m", "autograder", "check"], cwd=broken, capture_output=True, text=True
     )
     assert done.returncode == 1
     said = done.stdout + done.stderr
     assert "Fahrenheit" in said
-    assert "Q1" in said
+    assert "Q2.2" in said
     assert "the lower end comes first" in said
 
 
@@ -241,16 +230,16 @@ def test_a_student_asks_and_checks(course: Path, tmp_path: Path):
     said = run(
         "-c",
         "from autograder import ask, check\n"
-        "print(ask('Q1'))\n"
-        "print(check('Q1', (32, 212)))\n"
-        "print(check('Q1', (0, 100)))\n",
+        "print(ask('Q2.2'))\n"
+        "print(check('Q2.2', (32, 212)))\n"
+        "print(check('Q2.2', (0, 100)))\n",
         cwd=course / "notebooks",
         AUTOGRADER_RESPONSES=str(tmp_path),
     )
-    asked, wrong, right = said.partition("Q1 partial")[0], *said.split("Q1 partial")[1:], said
-    assert 'check("Q1", degrees)' in asked
+    asked, wrong, right = said.partition("Q2.2 partial")[0], *said.split("Q2.2 partial")[1:], said
+    assert 'check("Q2.2", degrees)' in asked
     assert "degrees Fahrenheit; convert" in wrong
-    assert "Q1 right" in right
+    assert "Q2.2 right" in right
 
 
 def marks(graded: Path) -> dict[str, dict[str, Any]]:
@@ -259,7 +248,7 @@ def marks(graded: Path) -> dict[str, dict[str, Any]]:
 
 
 def test_a_class_is_graded(graded: Path):
-    points = {student: float(row["Q1"]) for student, row in marks(graded).items()}
+    points = {student: float(row["Q2.2"]) for student, row in marks(graded).items()}
     assert points == {"right": 4.0, "fahrenheit": 2.0, "half": 2.0, "text": 0.0}
 
 
@@ -278,10 +267,10 @@ def test_the_page_of_the_class_names_the_mistakes(graded: Path):
 
 def test_a_bundle_for_practice_has_the_kind_and_the_key(course: Path, tmp_path: Path):
     bundle = tmp_path / "bundle"
-    run("-m", "autograder", "release", str(bundle), "--practice", "bounds", cwd=course)
+    run("-m", "autograder", "release", str(bundle), "--practice", "cellar", cwd=course)
     said = run(
         "-c",
-        "from autograder import check\nprint(check('Q1', (32, 212)))\n",
+        "from autograder import check\nprint(check('Q2.2', (32, 212)))\n",
         cwd=bundle / "notebooks",
     )
     assert "degrees Fahrenheit; convert" in said
@@ -291,11 +280,12 @@ def test_a_bundle_without_the_key_checks_on_its_snapshot(course: Path, tmp_path:
     bundle = tmp_path / "bundle"
     run("-m", "autograder", "release", str(bundle), cwd=course)
     assert (bundle / "notebooks/kinds/interval/kind.py").exists()
-    assert json.loads((bundle / "notebooks/snapshots/bounds.json").read_text())["Q1"]["checked"]
+    assert json.loads((bundle / "notebooks/snapshots/cellar.json").read_text())["Q2.2"]["checked"]
     said = run(
         "-c",
-        "from autograder import check\nprint(check('Q1', (0, 100)))\nprint(check('Q1', (0, 90)))\n",
+        "from autograder import check\n"
+        "print(check('Q2.2', (0, 100)))\nprint(check('Q2.2', (0, 90)))\n",
         cwd=bundle / "notebooks",
     )
-    assert "Q1 right" in said
-    assert "Q1 wrong" in said
+    assert "Q2.2 right" in said
+    assert "Q2.2 wrong" in said

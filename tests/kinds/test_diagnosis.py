@@ -55,28 +55,28 @@ def expression(course, response):
     return marker.mark("Q1.4", evaluate(response, marker.drawn("Q1.4").probe))
 
 
-def test_a_matrix_of_one_a_set_of_one_and_a_list_of_equal_roots_are_expressions(tiny_course):
+def test_a_matrix_of_one_a_set_of_one_and_a_list_of_equal_roots_are_expressions(toy):
     right = 2 * (A + B)
     for response in (sp.Matrix([[right]]), sp.FiniteSet(right), [right], [right, 2 * A + 2 * B]):
-        assert expression(tiny_course, response).status == "right", response
+        assert expression(toy, response).status == "right", response
 
 
-def test_a_polynomial_and_a_tuple_of_sympy_are_expressions(tiny_course):
+def test_a_polynomial_and_a_tuple_of_sympy_are_expressions(toy):
     right = 2 * (A + B)
     for response in (sp.Poly(right, A), sp.Poly(right, A, B), sp.Tuple(right)):
-        assert expression(tiny_course, response).status == "right", response
+        assert expression(toy, response).status == "right", response
     for response in (sp.Poly(A + B, A), sp.Tuple(right, A)):
-        assert expression(tiny_course, response).status != "right", response
+        assert expression(toy, response).status != "right", response
 
 
-def test_a_lambda_of_sympy_is_called_a_function(tiny_course):
-    mark = expression(tiny_course, sp.Lambda((A, B), 2 * (A + B)))
+def test_a_lambda_of_sympy_is_called_a_function(toy):
+    mark = expression(toy, sp.Lambda((A, B), 2 * (A + B)))
     assert mark.status == "wrong"
     assert "it is a function" in mark.feedback
 
 
-def test_a_list_of_roots_is_right_only_if_each_is(tiny_course):
-    assert expression(tiny_course, [2 * (A + B), A]).status != "right"
+def test_a_list_of_roots_is_right_only_if_each_is(toy):
+    assert expression(toy, [2 * (A + B), A]).status != "right"
 
 
 @pytest.mark.parametrize(
@@ -87,7 +87,7 @@ def test_a_list_of_roots_is_right_only_if_each_is(tiny_course):
         (2 * (A - B), "the sign of a term"),
     ],
 )
-def test_a_wrong_expression_is_named_by_its_relation(tiny_course, response, name):
-    mark = expression(tiny_course, response)
+def test_a_wrong_expression_is_named_by_its_relation(toy, response, name):
+    mark = expression(toy, response)
     assert (mark.status, mark.alternative) == ("wrong", name)
     assert mark.feedback.startswith("It looks as if ")

@@ -16,9 +16,9 @@ from autograder.sandbox.inside.evaluate import evaluate
 
 
 @pytest.fixture
-def marker(tiny_course) -> Marker:
+def marker(toy) -> Marker:
     """Q1.5 asks for the mean of some weights: none, two equal, many, one heavy."""
-    return Marker(tiny_course.load(), seed=5)
+    return Marker(toy.load(), seed=5)
 
 
 def mark(marker: Marker, function: Any) -> Mark:
@@ -49,8 +49,8 @@ def test_a_stub_is_not_attempted_wherever_it_raises(marker):
 
 
 @pytest.mark.parametrize("seed", range(5))
-def test_a_known_mistake_is_recognised_in_other_words(tiny_course, seed):
-    marker = Marker(tiny_course.load(), seed)
+def test_a_known_mistake_is_recognised_in_other_words(toy, seed):
+    marker = Marker(toy.load(), seed)
 
     def loop_sum(weights):
         total = 0
@@ -213,8 +213,8 @@ def test_no_feedback_contains_a_hidden_input(marker):
         assert not any(value in text for value in hidden if len(value) > 4)
 
 
-def test_the_same_seed_draws_the_same_inputs_and_another_seed_others(tiny_course):
-    course = tiny_course.load()
+def test_the_same_seed_draws_the_same_inputs_and_another_seed_others(toy):
+    course = toy.load()
     draws = [Marker(course, seed).drawn("Q1.5").probe["cases"] for seed in (3, 3, 4)]
     assert draws[0] == draws[1]
     assert draws[0] != draws[2]

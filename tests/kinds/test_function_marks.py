@@ -10,6 +10,8 @@ import pytest
 
 from autograder.diagnosis.relations import Diagnosis
 from autograder.kinds.function.answer import FunctionAlternative, FunctionAnswer
+from autograder.kinds.function.expected import problem_of_cases
+from autograder.kinds.function.hints import hints
 from autograder.kinds.function.marking import (
     Expected,
     agrees,
@@ -19,6 +21,7 @@ from autograder.kinds.function.marking import (
     nearly,
 )
 from autograder.kinds.function.question import Function
+from autograder.kinds.function.reference_failures import other_counts
 from autograder.marking import Mark
 
 QUESTION = Function(
@@ -506,3 +509,46 @@ def test_the_default_comparison_at_its_limits(expected, actual, agree):
 )  # fmt: skip
 def test_what_went_through_single_precision_is_compared_less_finely(expected, actual, agree):
     assert nearly({}, expected, actual) is agree
+
+
+@pytest.mark.parametrize(
+    ("asked", "outcome", "said"),
+    [
+        ({"draws": (4, 4)}, {"drawn": 8}, 'draws 8 random numbers, and "draws" asks for 4'),
+        ({"draws": (3, 3)}, {"drawn": 0}, 'draws 0 random numbers, and "draws" asks for 3'),
+        ({"samples": (3, 5, 5)}, {"sampled": [2, 5]}, 'of 2, and "samples" counts those of 3'),
+        ({"samples": (2, 5, 5)}, {"sampled": [2, 4]}, 'draws 4 samples, and "samples" asks for 5'),
+        ({"draws": (4, 8), "samples": (2, 4, 4)}, {"drawn": 8, "sampled": [2, 4]}, ""),
+        ({"samples": (2, 4, 4)}, {"drawn": 8}, ""),  # drawn in another way
+    ],
+)
+def test_a_reference_draws_what_its_cases_ask_for(asked, outcome, said):
+    """Marking compares with the reference: where that draws otherwise, nobody's draws count."""
+    case = {"name": "many", "args": [{"rng": 1}], **asked}
+    expected = Expected([case, case], [{"value": 1.0, **outcome}] * 2, close, [])
+    found = list(other_counts(expected))
+    assert len(found) == bool(said)
+    assert all("for the case 'many' the reference" in line and said in line for line in found)
+
+
+def test_a_generator_is_shown_as_it_can_be_typed():
+    """Not as the case has it: a student who types that into a cell gets an exception."""
+    cases = [{"name": "three", "args": [2.0, {"rng": 7}], "public": True}]
+    said = hints(QUESTION, cases, [{"value": 1.0}], [{"value": 3.0}], [0])
+    assert said == "f(2, np.random.default_rng(7)) gives 3; expected is 1."
+
+
+@pytest.mark.parametrize(
+    ("asked", "said"),
+    [
+        ({"samples": (5, 5)}, '"samples" must be (2, low, high) for samples of two, not (5, 5)'),
+        ({"samples": 5}, '"samples" must be'),
+        ({"draws": (2, 3, 4)}, '"draws" must be (low, high), not (2, 3, 4)'),
+        ({"draws": ("3", "3")}, '"draws" must be'),
+    ],
+)
+def test_counts_of_another_shape_are_refused(asked, said):
+    cases = [{"name": "a", "args": [], "draws": (1, float("inf"))}, {"name": "b", "args": []}]
+    assert problem_of_cases(QUESTION, cases) == ""
+    refused = problem_of_cases(QUESTION, [cases[0], cases[1] | asked])
+    assert f"Case 'b' of Q9: {said}" in refused

@@ -124,8 +124,8 @@ def test_a_value_that_the_key_does_not_know_is_shown_as_it_was_before_it_was_eva
 
 
 @pytest.fixture
-def marker(tiny_course) -> Marker:
-    return Marker(tiny_course.load(), seed=1)
+def marker(toy) -> Marker:
+    return Marker(toy.load(), seed=1)
 
 
 def given_number(marker: Marker, response: object) -> Mark:
@@ -198,7 +198,7 @@ def test_a_response_that_raises_when_it_is_read_is_an_error(marker):
     assert "12" not in mark.feedback
 
 
-def test_partial_credit_of_the_tiny_course(marker):
+def test_partial_credit_of_the_toy_course(marker):
     mark = given_number(marker, 7)
     assert (mark.status, mark.credit, mark.points, mark.alternative) == (
         "partial", 0.25, 0.5, "added",

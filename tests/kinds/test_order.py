@@ -170,9 +170,9 @@ def test_the_closure_follows_chains():
 
 
 @pytest.fixture
-def marker(tiny_course) -> Marker:
-    """Of the tiny course: boil, stir, pour, stir, drink in a row; a cup any time before drink."""
-    return Marker(tiny_course.load(), seed=1)
+def marker(toy) -> Marker:
+    """Of the toy course: boil, stir, pour, stir, drink in a row; a cup any time before drink."""
+    return Marker(toy.load(), seed=1)
 
 
 RIGHT = ["cup", "boil", "stir", "pour", "stir_again", "drink"]

@@ -8,9 +8,9 @@ from autograder.marking.marker import Marker
 
 
 @pytest.fixture
-def marker(tiny_course) -> Marker:
-    """Of the tiny course, whose Q1.1 is true, false, true."""
-    return Marker(tiny_course.load(), seed=1)
+def marker(toy) -> Marker:
+    """Of the toy course, whose Q1.1 is true, false, true."""
+    return Marker(toy.load(), seed=1)
 
 
 @pytest.mark.parametrize("response", [*itertools.product([True, False, None], repeat=3)])

@@ -8,6 +8,7 @@ import io
 import re
 import symtable
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -27,6 +28,7 @@ from autograder.student.views import MarkView, QuestionView
 from autograder.student.widgets.base import SENTENCE, source
 from autograder.student.widgets.base import sentences as in_other_words
 from tests.classroom import graded, make_course
+from tests.toy import Toy
 
 ENGINE = Path(language.__file__).parents[1]
 CATALOGS = sorted((ENGINE / "language").glob("*.po"))
@@ -45,6 +47,7 @@ def _english_again(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     language.follow_environment()
 
 
+@cache  # not while tests are collected, which every worker does
 def sentences() -> dict[str, tuple[str, ...]]:
     """The sentences of the engine that are marked for translation, by where they stand."""
     found = {}
@@ -66,15 +69,12 @@ def sentences() -> dict[str, tuple[str, ...]]:
     return found
 
 
-SENTENCES = sentences()
-
-
 @pytest.mark.parametrize("path", CATALOGS, ids=lambda path: path.stem)
 def test_every_sentence_is_translated_and_keeps_its_fields(path: Path):
     catalog = read_po(path.read_text(encoding="utf-8"))
     missing = [
         f"{where}: {texts[0]}"
-        for where, texts in SENTENCES.items()
+        for where, texts in sentences().items()
         if "\0".join(texts) not in catalog
     ]
     assert missing == []
@@ -87,7 +87,7 @@ def test_every_sentence_is_translated_and_keeps_its_fields(path: Path):
 
 @pytest.mark.parametrize("path", CATALOGS, ids=lambda path: path.stem)
 def test_no_translation_is_left_of_a_sentence_that_is_gone(path: Path):
-    known = {"", *("\0".join(texts) for texts in SENTENCES.values())}
+    known = {"", *("\0".join(texts) for texts in sentences().values())}
     assert set(read_po(path.read_text(encoding="utf-8"))) - known == set()
 
 
@@ -101,8 +101,8 @@ OF_AUTHORS = {"answer.py", "question.py", "trial.py", "promises.py", "sensible.p
               "expected.py", "strict.py", "toml_lines.py", "written.py", "registry.py",
               "formula.py", "variables.py", "exercise.py", "draw.py", "marker.py",
               "marker_process.py", "take_snapshot.py", "reference_failures.py"}  # fmt: skip
-TO_AUTHORS = {"CourseError", "ValueError", "problems", "too_few_mistakes", "poor_draw",
-              "poor_value", "check_answer", "other_mistakes"}  # fmt: skip
+TO_AUTHORS = {"CourseError", "FieldError", "ValueError", "problems", "unsound", "poor_draw",
+              "poor_value", "too_few_mistakes", "check_answer", "other_mistakes"}  # fmt: skip
 
 
 def bare_sentences(tree: ast.AST, finds: re.Pattern[str]) -> list[str]:
@@ -223,8 +223,7 @@ def test_the_course_says_which_language_and_a_notebook_follows_the_person(
 
 def test_a_course_in_german_marks_and_returns_feedback_in_german(tmp_path: Path):
     make_course(tmp_path)
-    with (tmp_path / "pyproject.toml").open("a") as file:
-        file.write('[tool.autograder]\nlanguage = "de"\n')
+    Toy(tmp_path).set('language = "de"')
     course = load_course(tmp_path)
     first, second = list(course.questions.values())[:2]
     marks = (not_attempted(first), Mark(second.id, "right", 1.0, 2.0, _("Right.")))
@@ -244,8 +243,7 @@ def test_a_course_in_german_marks_and_returns_feedback_in_german(tmp_path: Path)
 
 def test_an_unknown_language_is_refused(tmp_path: Path):
     make_course(tmp_path)
-    with (tmp_path / "pyproject.toml").open("a") as file:
-        file.write('[tool.autograder]\nlanguage = "tlh"\n')
+    Toy(tmp_path).set('language = "tlh"')
     with pytest.raises(CourseError, match="language"):
         load_course(tmp_path)
 

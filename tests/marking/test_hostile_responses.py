@@ -7,20 +7,20 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from tiny_course import make_tiny_course
 
 from autograder.exchange import wire
 from autograder.kinds.function.marking import Expected, mark_function
 from autograder.marking import STATUSES, Mark
 from autograder.marking.marker import Marker
 from autograder.questions.drawn import Drawn
+from tests.toy import make_toy
 
 IDS = ["Q1.1", "Q1.2", "Q1.3", "Q1.4", "Q1.5"]
 
 
 @pytest.fixture
-def marker(tiny_course) -> Marker:
-    return Marker(tiny_course.load(), seed=4)
+def marker(toy) -> Marker:
+    return Marker(toy.load(), seed=4)
 
 
 def rubbish() -> list[Any]:
@@ -85,7 +85,7 @@ plain = st.recursive(
 @pytest.fixture(scope="module")
 def ready(tmp_path_factory) -> dict[str, tuple[Marker, Drawn]]:
     """A marker of the kinds that need no reference, for many examples in one test."""
-    course = make_tiny_course(tmp_path_factory.mktemp("course")).load()
+    course = make_toy(tmp_path_factory.mktemp("course")).load()
     marker = Marker(course, seed=4)
     return {id: (marker, marker.drawn(id)) for id in IDS[:4]}
 

@@ -9,21 +9,21 @@ from dataclasses import replace
 from typing import Any
 
 import pytest
-from tiny_course import TinyCourse
 
 from autograder.errors import UsageError
 from autograder.marking import marker as module
 from autograder.marking.draw import seed_of_set, set_of_variant
 from autograder.marking.marker import OTHER_NUMBERS, Marker
 from autograder.questions.registry import kind_of
+from tests.toy import Toy
 
 
 def given(value: Any) -> dict[str, Any]:
     return {"state": "given", "value": value}
 
 
-def test_sets_of_hidden_inputs_are_made_once_each(tiny_course):
-    marker = Marker(tiny_course.load(), 7, tells=False)
+def test_sets_of_hidden_inputs_are_made_once_each(toy):
+    marker = Marker(toy.load(), 7, tells=False)
     assert marker.with_set(0) is marker
     other, another = marker.with_set(1), marker.with_set(2)
     assert other is marker.with_set(1)
@@ -33,8 +33,8 @@ def test_sets_of_hidden_inputs_are_made_once_each(tiny_course):
 
 
 @pytest.mark.parametrize("tells", [True, False])
-def test_a_question_is_drawn_once_with_what_stands_around_it(tiny_course, tells):
-    marker = Marker(tiny_course.load(), 7, tells=tells)
+def test_a_question_is_drawn_once_with_what_stands_around_it(toy, tells):
+    marker = Marker(toy.load(), 7, tells=tells)
     drawn = marker.drawn("Q1.5")
     assert marker.drawn("Q1.5") is drawn
     assert drawn.tells is tells
@@ -45,8 +45,8 @@ def test_a_question_is_drawn_once_with_what_stands_around_it(tiny_course, tells)
         marker.drawn("Q9.9")
 
 
-def test_whichever_thread_asks_first_a_question_is_drawn_once(tiny_course, monkeypatch):
-    marker, asked, draw = Marker(tiny_course.load(), 7), [], module.draw
+def test_whichever_thread_asks_first_a_question_is_drawn_once(toy, monkeypatch):
+    marker, asked, draw = Marker(toy.load(), 7), [], module.draw
     together = threading.Barrier(4)
 
     def slow(question: Any, *rest: Any) -> Any:
@@ -65,8 +65,8 @@ def test_whichever_thread_asks_first_a_question_is_drawn_once(tiny_course, monke
     assert all(other is first for other in others)
 
 
-def test_what_is_prepared_is_drawn_before_anybody_asks(tiny_course, monkeypatch):
-    marker, asked, draw = Marker(tiny_course.load(), 7), [], module.draw
+def test_what_is_prepared_is_drawn_before_anybody_asks(toy, monkeypatch):
+    marker, asked, draw = Marker(toy.load(), 7), [], module.draw
 
     def counted(question: Any, *rest: Any) -> Any:
         asked.append(question.id)
@@ -110,9 +110,7 @@ cases = "solutions.kitchen:mean_weight_cases"
 
 
 def test_where_only_the_words_vary_few_sets_are_drawn_for_all(market):
-    market.append("notebooks/questions/kitchen.toml", WORDS)
-    market.append("solutions/answers/kitchen.toml", KEY_OF_WORDS)
-    marker = Marker(market.load(), 3)
+    marker = Marker(market.add("kitchen", WORDS, KEY_OF_WORDS).load(), 3)
     sets = set()
     for name in ("ada", "bo", "cy", "dee", "eve", "fay"):
         own = marker.for_student(name)
@@ -147,8 +145,8 @@ def test_a_variant_that_there_is_not_is_said(market, id, variant):
     assert str(caught.value) == f"{id} has no variant {variant!r}."
 
 
-def test_functions_to_read_are_drawn_by_both_seeds(tiny_course):
-    course = tiny_course.load()
+def test_functions_to_read_are_drawn_by_both_seeds(toy):
+    course = toy.load()
     readings = [Marker(course, seed).reading("Q1.5", other) for seed, other in
                 [(3, n) for n in range(12)] + [(n, 3) for n in range(12)]]  # fmt: skip
     assert readings[3] == readings[12 + 3]
@@ -159,8 +157,8 @@ def test_functions_to_read_are_drawn_by_both_seeds(tiny_course):
     assert str(caught.value) == "There are no functions to read for Q1.3."
 
 
-def test_functions_to_read_bear_no_name_that_the_course_asks_for(tiny_course, monkeypatch):
-    course = tiny_course.load()
+def test_functions_to_read_bear_no_name_that_the_course_asks_for(toy, monkeypatch):
+    course = toy.load()
     told: list[Any] = []
     kind = type(kind_of(course.question("Q1.5")))
     monkeypatch.setattr(kind, "reading", lambda self, *given: told.append(given) or "functions")
@@ -171,14 +169,14 @@ def test_functions_to_read_bear_no_name_that_the_course_asks_for(tiny_course, mo
     assert names == ["share", "eggs", "rim", "mean_weight"]
 
 
-def test_a_response_is_shown_as_it_was_before_anything_was_sent(tiny_course):
-    marker = Marker(tiny_course.load(), 3)
+def test_a_response_is_shown_as_it_was_before_anything_was_sent(toy):
+    marker = Marker(toy.load(), 3)
     assert marker.mark("Q1.3", given(12), "12.0").understood == "12 eggs"
     assert marker.mark("Q1.3", given(12), "3.0").understood == "3 eggs"
     assert marker.mark("Q1.3", given(345)).understood == ""
 
 
-def with_boxes(course: TinyCourse, boxes: str) -> Marker:
+def with_boxes(course: Toy, boxes: str) -> Marker:
     course.replace("notebooks/questions/kitchen.toml", "[3, 5, 7, 11]", boxes)
     return Marker(course.load(), 3)
 
@@ -224,8 +222,7 @@ def test_other_numbers_are_not_looked_for_where_everybody_has_the_sheets(market)
 
 
 def test_other_numbers_are_not_looked_for_where_a_question_has_none(market, monkeypatch):
-    market.append("notebooks/questions/kitchen.toml", WORDS)
-    market.append("solutions/answers/kitchen.toml", KEY_OF_WORDS)
+    market.add("kitchen", WORDS, KEY_OF_WORDS)
     marker = with_boxes(market, "[30, 51, 77, 119]").for_student("ada")
     tried: list[str] = []
     monkeypatch.setattr(Marker, "_of_other_numbers", lambda self, mark, *rest: tried.append(mark))

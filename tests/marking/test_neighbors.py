@@ -49,10 +49,8 @@ alternative = [{name = "right", credit = 1, value = 0.25}]
 """
 
 
-def test_the_first_question_of_the_last_chapter_is_a_neighbor_too(tiny_course):
-    tiny_course.append("notebooks/questions/cellar.toml", QUESTION)
-    tiny_course.append("solutions/answers/cellar.toml", KEY)
-    course = tiny_course.load()
+def test_the_first_question_of_the_last_chapter_is_a_neighbor_too(toy):
+    course = toy.add("cellar", QUESTION, KEY).load()
     found = around(course, course.question("Q2.2")).neighbors
     assert [question.id for question, _ in found] == ["Q2.1"]
 
@@ -63,9 +61,9 @@ def replace_chapter(question, chapter):
 
 
 @pytest.mark.parametrize("name", ["kitchen", "1_kitchen", "old_1_kitchen"])
-def test_numbers_are_those_that_the_chapters_notebook_gives_to_names(tiny_course, name):
+def test_numbers_are_those_that_the_chapters_notebook_gives_to_names(toy, name):
     write_notebook(
-        tiny_course.root,
+        toy.root,
         name,
         "a = 3\nb = 0.25\na = 4\n",
         "%pip install numpy\nc = 5\n",
@@ -73,17 +71,17 @@ def test_numbers_are_those_that_the_chapters_notebook_gives_to_names(tiny_course
         "if a:\n    n = 10\n",
         "b = 1\no = 11",
     )
-    write_notebook(tiny_course.root, "2_cellar", "%pip install numpy", "p = 12")
-    write_notebook(tiny_course.root, "kitchen2", "q = 13")
-    course = tiny_course.load()
+    write_notebook(toy.root, "2_cellar", "%pip install numpy", "p = 12")
+    write_notebook(toy.root, "kitchen2", "q = 13")
+    course = toy.load()
     assert around(course, course.question("Q1.3")).numbers == {"a": 3, "b": 0.25, "o": 11}
     assert around(course, course.question("Q2.1")).numbers == {"p": 12}
 
 
-def test_several_notebooks_of_a_chapter_are_read_in_their_order(tiny_course):
-    write_notebook(tiny_course.root, "1_kitchen", "a = 1")
-    write_notebook(tiny_course.root, "2_kitchen", "a = 2\nb = 3")
-    course = tiny_course.load()
+def test_several_notebooks_of_a_chapter_are_read_in_their_order(toy):
+    write_notebook(toy.root, "1_kitchen", "a = 1")
+    write_notebook(toy.root, "2_kitchen", "a = 2\nb = 3")
+    course = toy.load()
     assert around(course, course.question("Q1.3")).numbers == {"a": 1, "b": 3}
 
 

@@ -19,12 +19,12 @@ RECORDED = "Recorded. It will be marked after you hand in."
 
 
 @pytest.fixture
-def course(tiny_course):
-    """The tiny course with a snapshot of Q1.4 in one file, and of Q1.5, unchecked, in another."""
-    course = tiny_course.load()
+def course(toy):
+    """The toy course with a snapshot of Q1.4 in one file, and of Q1.5, unchecked, in another."""
+    course = toy.load()
     answer = course.key["Q1.4"]
     taken = take_snapshot(answer, hidden_points(answer, np.random.default_rng(1)))
-    folder = tiny_course.root / "notebooks/snapshots"
+    folder = toy.root / "notebooks/snapshots"
     folder.mkdir()
     (folder / "kitchen.json").write_text(json.dumps(pack({"Q1.4": taken})), encoding="utf-8")
     unchecked = {"Q1.5": {"checked": False, "cases": []}}

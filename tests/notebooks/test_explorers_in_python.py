@@ -1,6 +1,7 @@
 """Explorers without a browser: what they refuse, and the sums behind their still pictures."""
 
 import math
+from functools import cache
 
 import cv2
 import numpy as np
@@ -60,7 +61,12 @@ def test_a_cloud_with_an_outlier_can_be_explored_and_nothing_else():
 
 
 WALK = dict(list(data.campus_photographs().items())[:3])
-FEATURES = {name: cv2.SIFT.create(60).detectAndCompute(image, None) for name, image in WALK.items()}
+
+
+@cache
+def features():
+    find = cv2.SIFT.create(60).detectAndCompute
+    return {name: find(image, None) for name, image in WALK.items()}
 
 
 def train_tree(descriptors, k, depth):
@@ -81,7 +87,7 @@ def journey(descend_tree=lambda d, levels: int(d.sum()) % len(levels[-1]), build
     functions = Functions(
         train_tree, descend_tree, build, lambda bags: np.arange(bags.shape[1]) / 2
     )
-    return Journey("0491", WALK, FEATURES, list(WALK), functions)
+    return Journey("0491", WALK, features(), list(WALK), functions)
 
 
 def test_the_votes_of_a_journey_are_the_rows_of_its_words():
@@ -89,8 +95,8 @@ def test_the_votes_of_a_journey_are_the_rows_of_its_words():
     trip = journey()
     level = trip.levels(4)[1]
     assert trip.places == ["0493", "0494"]
-    places = [{(int(d.sum()) % 64) // 4 for d in FEATURES[name][1]} for name in trip.places]
-    words = [(int(d.sum()) % 64) // 4 for d in FEATURES["0491"][1]]
+    places = [{(int(d.sum()) % 64) // 4 for d in features()[name][1]} for name in trip.places]
+    words = [(int(d.sum()) % 64) // 4 for d in features()["0491"][1]]
     assert trip.votes(level).tolist() == [sum(w in own for w in words) for own in places]
     weighted = [sum(w / 2 for w in words if w in own) for own in places]
     assert trip.votes(level, weighted=True).tolist() == pytest.approx(weighted)
@@ -110,4 +116,4 @@ def test_functions_that_return_what_cannot_be_drawn_are_named():
     with pytest.raises(ValueError, match="build_inverted_file should return 4 lists, not 1"):
         journey(build=lambda *_: [[]]).levels(4)
     with pytest.raises(ValueError, match="explore_journey needs a photograph with features"):
-        explore_journey("0999", WALK, FEATURES, list(WALK), [stub] * 4)
+        explore_journey("0999", WALK, features(), list(WALK), [stub] * 4)

@@ -53,5 +53,5 @@ def test_the_workflow_grades_a_push_by_the_key_for_practice(tmp_path: Path):
     )
     assert done.returncode == 0, done.stderr
     [remark] = [line for line in done.stdout.splitlines() if "title=Q2 " in line]
-    assert remark.startswith("::warning file=notebooks/1_orchard.ipynb,")
+    assert remark.startswith("::warning file=notebooks/3_orchard.ipynb,")
     assert "| Q2 ·" in (tmp_path / "page.md").read_text(encoding="utf-8")

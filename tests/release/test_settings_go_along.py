@@ -8,7 +8,6 @@ import zipfile
 from pathlib import Path
 
 import pytest
-from tiny_course import TinyCourse, make_tiny_course
 
 from autograder.authoring.practice import PRACTICE
 from autograder.course import Course, load_course
@@ -17,6 +16,7 @@ from autograder.course.settings import read_settings
 from autograder.errors import CourseError
 from autograder.release.bundle import release
 from autograder.release.gradescope.package import write_autograder_zip
+from tests.toy import Toy, make_toy
 
 SETTINGS = """[tool.autograder]
 variants = "student"
@@ -29,30 +29,30 @@ STUDENTS = ("Ada Lovelace", "George Boole", "Emmy Noether", "Béla Bartók")
 
 
 @pytest.fixture
-def own(tmp_path: Path) -> TinyCourse:
+def own(tmp_path: Path) -> Toy:
     """A course whose students have numbers of their own, dealt, and say who they are."""
-    tiny = make_tiny_course(tmp_path / "course")
-    tiny.replace("notebooks/questions/kitchen.toml", "Three boxes", "{boxes} boxes")
-    tiny.replace(
+    toy = make_toy(tmp_path / "course")
+    toy.replace("notebooks/questions/kitchen.toml", "Three boxes", "{boxes} boxes")
+    toy.replace(
         "notebooks/questions/kitchen.toml",
         'variable = "eggs"',
         'variable = "eggs"\nvariables = {boxes = [3, 5, 6, 8]}',
     )
-    tiny.replace("solutions/answers/kitchen.toml", "value = 12", 'value = "4*boxes"')
-    tiny.replace("solutions/answers/kitchen.toml", "value = 7", 'value = "4+boxes"')
-    tiny.append("notebooks/source/1_kitchen.py", "\n\n# %%\nme()\n")
-    (tiny.root / "pyproject.toml").write_text(SETTINGS)
-    (tiny.root / "places.toml").write_text(
+    toy.replace("solutions/answers/kitchen.toml", "value = 12", 'value = "4*boxes"')
+    toy.replace("solutions/answers/kitchen.toml", "value = 7", 'value = "4+boxes"')
+    toy.append("notebooks/source/1_kitchen.py", "\n\n# %%\nme()\n")
+    (toy.root / "pyproject.toml").write_text(SETTINGS)
+    (toy.root / "places.toml").write_text(
         make_places({name: n for n, name in enumerate(STUDENTS)}).text()
     )
-    return tiny
+    return toy
 
 
 def numbers_of_all(course: Course) -> list[object]:
     return [course.for_student(name).numbers("Q1.3") for name in STUDENTS]
 
 
-def test_students_have_the_numbers_by_which_they_are_marked(own: TinyCourse, tmp_path: Path):
+def test_students_have_the_numbers_by_which_they_are_marked(own: Toy, tmp_path: Path):
     course = own.load()
     release(course, tmp_path / "bundle", ["kitchen"])
     bundled = load_course(tmp_path / "bundle")
@@ -64,7 +64,7 @@ def test_students_have_the_numbers_by_which_they_are_marked(own: TinyCourse, tmp
     assert 'me("Ada Lovelace")' in (tmp_path / "bundle/README.md").read_text()
 
 
-def test_gradescope_marks_by_the_same_numbers(own: TinyCourse, tmp_path: Path):
+def test_gradescope_marks_by_the_same_numbers(own: Toy, tmp_path: Path):
     course = own.load()
     write_autograder_zip(tmp_path / "autograder.zip", course)
     with zipfile.ZipFile(io.BytesIO((tmp_path / "autograder.zip").read_bytes())) as archive:
@@ -75,13 +75,13 @@ def test_gradescope_marks_by_the_same_numbers(own: TinyCourse, tmp_path: Path):
 
 
 def test_a_course_without_settings_gives_a_bundle_without(tmp_path: Path):
-    tiny = make_tiny_course(tmp_path / "course")
-    (tiny.root / "pyproject.toml").write_text("")
-    release(tiny.load(), tmp_path / "bundle")
+    toy = make_toy(tmp_path / "course")
+    (toy.root / "pyproject.toml").write_text("")
+    release(toy.load(), tmp_path / "bundle")
     assert "[tool.autograder]" not in (tmp_path / "bundle/pyproject.toml").read_text()
 
 
-def test_nobody_works_with_the_sheets_numbers_by_mistake(own: TinyCourse, tmp_path: Path):
+def test_nobody_works_with_the_sheets_numbers_by_mistake(own: Toy, tmp_path: Path):
     own.replace("notebooks/source/1_kitchen.py", "me()", "None")
     with pytest.raises(CourseError, match=r"write me\(\) in a code cell of .*/1_kitchen.py"):
         release(own.load(), tmp_path / "bundle")

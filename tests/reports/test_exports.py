@@ -234,7 +234,7 @@ def test_the_chapters_keep_their_order_in_the_archive(tmp_path: Path):
 def test_the_archive_grades_a_submission_as_it_would_there(course: Course, unpacked: Path):
     (unpacked / "submission").mkdir()
     cells = [START, *RIGHT.values(), "print('hello')"]
-    (unpacked / "submission/1_orchard.ipynb").write_text(notebook(cells))
+    (unpacked / "submission/3_orchard.ipynb").write_text(notebook(cells))
     (unpacked / "submission_metadata.json").write_text('{"users": [{"name": "Ada"}]}')
     # The archive brings the course's modules; only the orchard's reference lies beside it here.
     reference = (course.root / "orchard_reference.py").read_text()

@@ -118,7 +118,7 @@ def test_the_command_prints_the_pairs_and_writes_them(tmp_path: Path, capsys):
         folder = tmp_path / "work" / student
         folder.mkdir(parents=True)
         cells = [START, *RIGHT.values(), code]
-        (folder / "1_orchard.ipynb").write_text(notebook(cells))
+        (folder / "3_orchard.ipynb").write_text(notebook(cells))
     (tmp_path / "work/broken.zip").write_text("no zip")
     command = ["similar", str(tmp_path / "work"), "--out", str(tmp_path / "grades")]
     assert main(["--course", str(tmp_path / "course"), *command]) == 0
@@ -171,11 +171,11 @@ def test_a_short_function_between_long_ones_is_left_out_alone():
 def test_the_command_compares_with_the_solved_notebooks(tmp_path: Path, capsys):
     course = make_course(tmp_path / "course")
     (course.root / "solutions/notebooks").mkdir()
-    (course.root / "solutions/notebooks/1_orchard.ipynb").write_text(notebook([ORIGINAL]))
+    (course.root / "solutions/notebooks/3_orchard.ipynb").write_text(notebook([ORIGINAL]))
     for student, code in (("ada", ORIGINAL), ("boole", INDEPENDENT)):
         folder = tmp_path / "work" / student
         folder.mkdir(parents=True)
-        (folder / "1_orchard.ipynb").write_text(notebook([START, code]))
+        (folder / "3_orchard.ipynb").write_text(notebook([START, code]))
     arguments = ["similar", str(tmp_path / "work"), "--out", str(tmp_path / "grades")]
     assert main(["--course", str(course.root), *arguments]) == 0
     said = capsys.readouterr().out

@@ -1,27 +1,26 @@
-"""A small course and its sandboxes, with limits tight enough for attacks to fail fast."""
+"""The kitchen with secrets, and sandboxes with limits tight enough for attacks to fail fast."""
 
 from collections.abc import Iterator
 
 import pytest
-from small_course import LIMITS, PATIENT, SECRET, Lab, check_good
+from attacks import LIMITS, PATIENT, SECRET, Lab, check_good
 
 from autograder.course import Course
 from autograder.sandbox.launcher import Sandbox, SandboxError, Session
+from tests.toy import make_toy
 
 
 @pytest.fixture(scope="session")
 def course(tmp_path_factory: pytest.TempPathFactory) -> Course:
-    root = tmp_path_factory.mktemp("course")
+    root = make_toy(tmp_path_factory.mktemp("course"), "kitchen").root
     for name, text in {
         "notebooks/__init__.py": "",
         "notebooks/figures.py": "import matplotlib.pyplot as plt\ndef draw():\n    plt.plot([1])\n",
-        "notebooks/questions/ransac.toml": "",
-        "notebooks/responses/ransac.json": SECRET,
-        "notebooks/3_ransac.ipynb": SECRET,
+        "notebooks/responses/kitchen.json": SECRET,
+        "notebooks/1_kitchen.ipynb": SECRET,
         "data/__init__.py": "numbers = [1, 2, 3]\n",
-        "solutions/__init__.py": "",
-        "solutions/ransac/fast/consensus.py": f"answer = {SECRET!r}\n",
-        "solutions/answers/ransac.toml": SECRET,
+        "solutions/fast/kitchen.py": f"answer = {SECRET!r}\n",
+        "solutions/answers/secret.toml": SECRET,
         "grades/gradebook.db": SECRET,
     }.items():
         path = root / name

@@ -5,7 +5,7 @@ import time
 
 import numpy as np
 import pytest
-from small_course import NUMBER, asked
+from attacks import NUMBER, asked
 
 import autograder.sandbox.session
 from autograder.sandbox.launcher import Stopped

@@ -1,8 +1,8 @@
 """Attempts to take for ever and to end what grades; the kind of isolation makes no difference."""
 
 import pytest
+from attacks import NUMBER, asked
 from msgspec.structs import replace
-from small_course import NUMBER, asked
 
 from autograder.sandbox.launcher import Stopped
 from autograder.sandbox.session import Session

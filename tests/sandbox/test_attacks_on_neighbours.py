@@ -4,7 +4,7 @@ import os
 from collections.abc import Iterator
 
 import pytest
-from small_course import NUMBER, PATIENT, SECRET
+from attacks import NUMBER, PATIENT, SECRET
 
 from autograder.sandbox.launcher import Sandbox, Session
 from autograder.sandbox.processes import descendants

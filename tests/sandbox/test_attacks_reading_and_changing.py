@@ -6,7 +6,7 @@ import subprocess
 import sys
 
 import pytest
-from small_course import SECRET, tree
+from attacks import SECRET, tree
 
 pytestmark = pytest.mark.usefixtures("after_each_a_good_submission_gets_its_marks")
 
@@ -26,11 +26,13 @@ REFUSED = {
 @pytest.mark.parametrize(
     "path",
     [
-        "solutions/answers/ransac.toml",
-        "solutions/ransac/fast/consensus.py",
+        "solutions/answers/kitchen.toml",
+        "solutions/answers/secret.toml",
+        "solutions/kitchen.py",
+        "solutions/fast/kitchen.py",
         "grades/gradebook.db",
-        "notebooks/3_ransac.ipynb",
-        "notebooks/responses/ransac.json",
+        "notebooks/1_kitchen.ipynb",
+        "notebooks/responses/kitchen.json",
     ],
 )
 def test_the_answers_cannot_be_read_by_their_path(lab, course, path):
@@ -40,8 +42,8 @@ def test_the_answers_cannot_be_read_by_their_path(lab, course, path):
 
 
 def test_the_answers_cannot_be_imported(lab, course):
-    assert lab.error("import solutions.ransac.line") in REFUSED
-    code = f"import sys; sys.path.insert(0, {str(course.root)!r})\nimport solutions.ransac.line"
+    assert lab.error("import solutions.kitchen") in REFUSED
+    code = f"import sys; sys.path.insert(0, {str(course.root)!r})\nimport solutions.kitchen"
     assert lab.error(code) in REFUSED
 
 

@@ -6,8 +6,8 @@ import sys
 from pathlib import Path
 
 import pytest
+from attacks import CASE, LIMITS
 from msgspec.structs import replace
-from small_course import CASE, LIMITS
 
 from autograder.course import Course
 from autograder.sandbox import control_group

@@ -182,7 +182,7 @@ def test_cells_with_other_tags_ids_and_metadata_are_found_all_the_same(
         {"metadata": [], "id": None, "execution_count": "100 points"},
     ]
     cells = [cell(text, **extra) for text, extra in zip(RIGHT.values(), odd, strict=True)]
-    path = hand_in(tmp_path / "ada/1_orchard.ipynb", cell(START), *reversed(cells))
+    path = hand_in(tmp_path / "ada/3_orchard.ipynb", cell(START), *reversed(cells))
     _, found = graded_file(orchard, orchard_sandbox, path.parent)
     assert [mark.status for mark in found.values()] == ["right"] * 4
 
@@ -192,7 +192,7 @@ def test_a_cell_that_is_no_code_cell_any_more_answers_nothing_and_costs_nothing_
     orchard, orchard_sandbox, tmp_path, kind
 ):
     cells = [cell(text, kind if id == "Q2" else "code") for id, text in RIGHT.items()]
-    path = hand_in(tmp_path / "ada/1_orchard.ipynb", cell(START), *cells)
+    path = hand_in(tmp_path / "ada/3_orchard.ipynb", cell(START), *cells)
     _, found = graded_file(orchard, orchard_sandbox, path.parent)
     assert {id: mark.status for id, mark in found.items()} == {
         "Q1": "right", "Q2": "not attempted", "Q3": "right", "Q4": "right",
@@ -201,9 +201,9 @@ def test_a_cell_that_is_no_code_cell_any_more_answers_nothing_and_costs_nothing_
 
 def test_of_a_copied_cell_the_last_counts(orchard, orchard_sandbox, tmp_path):
     copies = [cell("trees = 99"), cell("trees = 7"), cell(RIGHT["Q2"])]
-    path = hand_in(tmp_path / "ada/1_orchard.ipynb", *copies)
+    path = hand_in(tmp_path / "ada/3_orchard.ipynb", *copies)
     assert graded_file(orchard, orchard_sandbox, path.parent)[1]["Q2"].status == "right"
-    path = hand_in(tmp_path / "ada/1_orchard.ipynb", *reversed(copies))
+    path = hand_in(tmp_path / "ada/3_orchard.ipynb", *reversed(copies))
     assert graded_file(orchard, orchard_sandbox, path.parent)[1]["Q2"].status == "wrong"
 
 
@@ -224,7 +224,7 @@ def test_another_students_name_inside_a_notebook_changes_nothing(
         },
     }  # fmt: skip
     path = hand_in(
-        tmp_path / "class/ada/1_orchard.ipynb",
+        tmp_path / "class/ada/3_orchard.ipynb",
         cell("# boole\nName: boole", "markdown"),
         cell(claims, outputs=[receipt]),
         *map(cell, RIGHT.values()),
@@ -232,7 +232,7 @@ def test_another_students_name_inside_a_notebook_changes_nothing(
         student="boole",
         title="boole.zip",
     )
-    hand_in(tmp_path / "class/boole/1_orchard.ipynb", cell("trees = 7"))
+    hand_in(tmp_path / "class/boole/3_orchard.ipynb", cell("trees = 7"))
     student, found = graded_file(orchard, orchard_sandbox, path.parent)
     assert student == "ada"
     assert [mark.status for mark in found.values()] == ["right"] * 4

@@ -11,7 +11,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
-from small_course import CASE, LIMITS
+from attacks import CASE, LIMITS
 
 from autograder.cli import main
 from autograder.sandbox.doubt import Doubt
@@ -19,6 +19,7 @@ from autograder.sandbox.launcher import Sandbox, Stopped
 from autograder.sandbox.processes import descendants
 from autograder.sandbox.session import Session
 from tests.classroom import hand_in, make_course
+from tests.toy import Toy
 
 SLEEPS = "import time\ndef double(x):\n    time.sleep(60)"
 LOOPS = "def double(x):\n    while True: pass"
@@ -100,9 +101,8 @@ def a_busy_machine() -> Iterator[None]:
 @pytest.mark.skipif("AUTOGRADER_HOSTILE" not in os.environ, reason="AUTOGRADER_HOSTILE is not set")
 def test_the_same_class_gets_the_same_marks_on_a_busy_machine(tmp_path: Path):
     make_course(tmp_path / "course")
-    pyproject = tmp_path / "course/pyproject.toml"
     limits = "notebook_seconds = 20\ncell_seconds = 3\nquestion_seconds = 3\n"
-    pyproject.write_text(pyproject.read_text() + "\n[tool.autograder]\n" + limits)
+    Toy(tmp_path / "course").set(limits)
     for name in ("ada", "bob", "eve", "zoe"):
         hand_in(tmp_path / "work", name)
     hand_in(tmp_path / "work", "loops", Q4="def heaviest(w):\n    while True: pass")

@@ -15,6 +15,7 @@ from autograder.marking.draw import set_number
 from autograder.marking.marker import Marker
 from autograder.questions.registry import kind_of
 from tests.classroom import hand_in, make_course
+from tests.toy import Toy
 
 # What a function could do to say something about a hidden input, on every kind of input alike.
 SIGNALS = [
@@ -71,8 +72,7 @@ def test_the_page_tells_what_the_example_that_students_see_raises(tmp_path, cour
 
 def test_the_example_is_asked_whatever_language_the_course_speaks(tmp_path):
     root = make_course(tmp_path / "course").root
-    with (root / "pyproject.toml").open("a") as file:
-        file.write('[tool.autograder]\nlanguage = "de"\n')
+    Toy(root).set('language = "de"')
     hand_in(tmp_path / "work", "bob", Q4="def heaviest(w):\n    return object()")
     try:
         grade(tmp_path, root)

@@ -11,9 +11,9 @@ import time
 from pathlib import Path
 
 import pytest
+from attacks import CASE, LIMITS, NUMBER, SECRET, check_good, tree
 from hostile import submission
 from msgspec.structs import replace
-from small_course import CASE, LIMITS, NUMBER, SECRET, check_good, tree
 
 from autograder.sandbox.launcher import Sandbox, Stopped
 from autograder.sandbox.processes import tasks_of

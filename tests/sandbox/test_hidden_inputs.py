@@ -5,13 +5,14 @@ from collections.abc import Iterator
 
 import pytest
 
-from autograder.course import Course, load_course
+from autograder.course import Course
 from autograder.grading.submission import grade_contents
 from autograder.intake.submissions import Contents, Notebook
 from autograder.marking import Mark
 from autograder.marking.marker import Marker
 from autograder.sandbox.launcher import Sandbox
 from tests.classroom import RIGHT, make_course
+from tests.toy import Toy
 
 QUESTIONS = """
 [[question]]
@@ -43,9 +44,9 @@ value = 4
 credit = 1.0
 
 ["Q6"]
-reference = "meadow_reference:scale"
-cases = "meadow_reference:scale_cases"
-picture = "meadow_reference:picture"
+reference = "orchard_reference:scale"
+cases = "orchard_reference:scale_cases"
+picture = "orchard_reference:picture"
 """
 REFERENCE = """
 HIDDEN = 4711.25
@@ -69,14 +70,7 @@ KEEP = "    open('../tmp/seen', 'a').write(str(list(weights)) + ' ')\n"
 def meadow(tmp_path_factory: pytest.TempPathFactory) -> Course:
     root = tmp_path_factory.mktemp("meadow") / "course"
     make_course(root)
-    for path, text in {
-        "notebooks/questions/orchard.toml": QUESTIONS,
-        "solutions/answers/orchard.toml": ANSWERS,
-        "meadow_reference.py": REFERENCE,
-    }.items():
-        with (root / path).open("a") as file:
-            file.write(text)
-    return load_course(root)
+    return Toy(root).add("orchard", QUESTIONS, ANSWERS, REFERENCE).load()
 
 
 @pytest.fixture(scope="module")

@@ -6,7 +6,7 @@ import sys
 import threading
 
 import pytest
-from small_course import check_good
+from attacks import check_good
 
 from autograder.sandbox import host
 from autograder.sandbox.identity import OwnIdentity

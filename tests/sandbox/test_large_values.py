@@ -1,7 +1,7 @@
 """What a function returns is counted by what it would become in the grader."""
 
 import pytest
-from small_course import CASE, GOOD, NUMBER
+from attacks import CASE, GOOD, NUMBER
 
 TOO_LARGE = [
     "np.zeros((2**28, 0))",

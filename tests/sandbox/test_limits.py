@@ -6,7 +6,7 @@ import sys
 import threading
 
 import pytest
-from small_course import LIMITS
+from attacks import LIMITS
 
 from autograder.sandbox import tiers
 from autograder.sandbox.host import limits

@@ -1,8 +1,8 @@
 """Memory in the buffers of sockets, and in many forks, counts; the environment shows nothing."""
 
 import pytest
+from attacks import CASE, LIMITS, Lab
 from msgspec.structs import replace
-from small_course import CASE, LIMITS, Lab
 
 from autograder.sandbox.launcher import Stopped
 from autograder.sandbox.session import Session

@@ -1,7 +1,7 @@
 """Landlock governs neither the modes nor the times nor the owners of files: the filter must."""
 
 import pytest
-from small_course import Lab
+from attacks import Lab
 
 from autograder.course import Course
 from autograder.sandbox.launcher import Sandbox, SandboxError

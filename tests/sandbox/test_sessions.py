@@ -5,7 +5,7 @@ import time
 
 import numpy as np
 import pytest
-from small_course import CASE, GOOD, NUMBER, PATIENT, check_good
+from attacks import CASE, GOOD, NUMBER, PATIENT, check_good
 
 from autograder.sandbox.launcher import Stopped
 
@@ -57,7 +57,7 @@ def test_the_working_folder_looks_like_the_courses_own(patient_session):
     assert report["errors"] == [None] * 4
     assert report["understood"] == {
         "where": "notebooks",
-        "here": "['__init__.py', 'figures.py', 'questions']",
+        "here": "['__init__.py', 'figures.py', 'questions', 'source']",
         "beside": "numbers",
     }
 
@@ -102,7 +102,7 @@ def test_a_recorded_response_comes_back(patient_session):
         "import json, os, pathlib\n"
         "folder = pathlib.Path(os.environ['AUTOGRADER_RESPONSES'])\n"
         "entry = {'responses': {'Q1.1': {'response': [True, False]}}}\n"
-        "(folder / 'ransac.json').write_text(json.dumps(entry))\n"
+        "(folder / 'kitchen.json').write_text(json.dumps(entry))\n"
     )
     assert patient_session.run([code], [])["responses"] == {"Q1.1": [True, False]}
 

@@ -14,7 +14,7 @@ MASTERS = Path(__file__).parents[2] / "notebooks/source"
 
 
 def what_a_chapter_gives(master: str, *given: str) -> dict[str, Any]:
-    """Return these names as the master defines them, and the modules that they need."""
+    """These names as the master defines them, and the modules that they need."""
     source = MASTERS / f"{master}.py"
     tree = ast.parse(source.read_text(encoding="utf-8"))
     nodes = [

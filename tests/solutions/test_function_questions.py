@@ -157,7 +157,7 @@ def test_a_right_ransac_is_right_whatever_its_random_numbers(seed):
 
 
 def chances(points: np.ndarray, threshold: float, fewest: int = 2) -> tuple[np.ndarray, float]:
-    """Return the largest consensus set and the chance that a pair has it, by trying all pairs.
+    """The largest consensus set and the chance that a pair has it, by trying all pairs.
 
     With `fewest` points or more it must be the only one of its size.
     """

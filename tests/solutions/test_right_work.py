@@ -1,5 +1,6 @@
-"""Right work in other clothes: every question has enough of it. That it earns everything under 25
-seeds is part of the course's proof (`tests/test_the_course.py`)."""
+"""Right work in other clothes: every question has enough of it.
+
+That it earns everything under 25 seeds is part of the course's proof, in `test_the_course.py`."""
 
 from autograder.course.right_work import right_work_of, unexpected_right_work
 from autograder.questions.registry import kind_of

@@ -10,6 +10,8 @@ from pathlib import Path
 
 import pytest
 
+from tests.toy import make_toy
+
 ROOT = Path(__file__).parents[2]
 NOTEBOOKS = sorted((ROOT / "notebooks").glob("*.ipynb"))
 
@@ -29,8 +31,7 @@ def in_a_kernel(code: str, folder: Path, **environment: str) -> str:
 
 
 def make_course(root: Path) -> Path:
-    (root / "notebooks/questions").mkdir(parents=True)
-    (root / "notebooks/questions/one.toml").write_text('title = "One"\n')
+    make_toy(root, "cellar")
     (root / "data").mkdir()
     (root / "data/__init__.py").write_text("WHOSE = 'its own'\n")
     return root / "notebooks"

@@ -27,7 +27,7 @@ from autograder import ask, submit
 from autograder.student import frontend, unsaved
 
 SETUP = "from autograder import ask, check, submit"
-NAME = "1_garden.ipynb"
+NAME = "3_orchard.ipynb"
 
 
 def save(folder: Path, *sources: str, ids: bool = True, name: str = NAME) -> None:
@@ -119,8 +119,8 @@ class Colab(FrontEnd):
 
 
 @pytest.fixture
-def kernel(own_garden: Path) -> Iterator[BlockingKernelClient]:
-    folder = own_garden / "notebooks"
+def kernel(own_orchard: Path) -> Iterator[BlockingKernelClient]:
+    folder = own_orchard / "notebooks"
     environment = {
         name: value
         for name, value in os.environ.items()
@@ -134,62 +134,64 @@ def kernel(own_garden: Path) -> Iterator[BlockingKernelClient]:
     manager.shutdown_kernel(now=True)
 
 
-def test_vscode_is_told_what_is_not_saved(kernel: BlockingKernelClient, own_garden: Path):
-    folder = own_garden / "notebooks"
-    save(folder, SETUP, "bed_area = ...", "submit()", ids=False)
+def test_vscode_is_told_what_is_not_saved(kernel: BlockingKernelClient, own_orchard: Path):
+    folder = own_orchard / "notebooks"
+    save(folder, SETUP, "trees = ...", "submit()", ids=False)
     editor = VSCode(kernel, folder)
     editor.begin()
     editor.run(0, SETUP)
-    editor.run(1, "bed_area = 12")
+    editor.run(1, "trees = 12")
     said = editor.run(2, "submit()")
-    assert "Not ready to hand in: 1_garden.ipynb is saved without code that you ran" in said
-    assert "`bed_area = 12`" in said
+    assert "Not ready to hand in: 3_orchard.ipynb is saved without code that you ran" in said
+    assert "`trees = 12`" in said
     assert "Ctrl+S" in said
     assert "Hand in this file" not in said
-    save(folder, SETUP, "bed_area = 12", "submit()", ids=False)
+    save(folder, SETUP, "trees = 12", "submit()", ids=False)
     assert "Hand in this file." in editor.run(2, "submit()")
     # What was run before the last save was saved with it, even where it was changed since.
-    save(folder, SETUP, "bed_area = 4 * 3", "submit()", ids=False)
+    save(folder, SETUP, "trees = 4 * 3", "submit()", ids=False)
     assert "Hand in this file." in editor.run(2, "submit()")
-    editor.run(1, "bed_area = 13")
-    assert "`bed_area = 13`" in editor.run(2, "submit()")
+    editor.run(1, "trees = 13")
+    assert "`trees = 13`" in editor.run(2, "submit()")
 
 
 def test_nothing_is_claimed_where_the_notebook_is_saved_elsewhere(
-    kernel: BlockingKernelClient, own_garden: Path
+    kernel: BlockingKernelClient, own_orchard: Path
 ):
     """A notebook that was opened from another folder, or is not saved at all."""
-    editor = VSCode(kernel, own_garden / "elsewhere" / "a b")
+    editor = VSCode(kernel, own_orchard / "elsewhere" / "a b")
     editor.run(0, SETUP)
-    (own_garden / "notebooks" / NAME).rename(own_garden / "notebooks/2_garden.ipynb")
+    (own_orchard / "notebooks" / NAME).rename(own_orchard / "notebooks/4_orchard.ipynb")
     said = editor.run(1, "submit()")
     assert "Whether your notebook is saved cannot be seen from here" in said
     assert "Hand in this file" not in said
 
 
-def test_colab_hands_out_the_notebook_on_the_screen(kernel: BlockingKernelClient, own_garden: Path):
-    folder = own_garden / "notebooks"
+def test_colab_hands_out_the_notebook_on_the_screen(
+    kernel: BlockingKernelClient, own_orchard: Path
+):
+    folder = own_orchard / "notebooks"
     browser = Colab(kernel, folder)
-    work = nbformat.v4.new_notebook(metadata={"colab": {"name": "Copy of 1_garden.ipynb"}})
+    work = nbformat.v4.new_notebook(metadata={"colab": {"name": "Copy of 3_orchard.ipynb"}})
     work["cells"] = [
         nbformat.v4.new_code_cell(source)
-        for source in (SETUP, 'ask("Q1.1")', "bed_area = 12", "submit()")
+        for source in (SETUP, 'ask("Q1")', "trees = 12", "submit()")
     ]
     package = COLAB_PACKAGE.format(notebook=json.dumps(work))
     kernel.execute_interactive(package, silent=True, store_history=False)
     browser.run(0, SETUP)
-    browser.run(1, "bed_area = 12")
+    browser.run(1, "trees = 12")
     said = browser.run(2, "submit()")
     assert "Hand in this file." in said
     assert "Colab forgets its files" in said
     with zipfile.ZipFile(folder / "submission.zip") as archive:
         assert archive.namelist() == [NAME, "submitted.txt"]
-        assert "bed_area = 12" in archive.read(NAME).decode()
-    assert "bed_area" not in (folder / NAME).read_text(encoding="utf-8")
+        assert "trees = 12" in archive.read(NAME).decode()
+    assert "trees" not in (folder / NAME).read_text(encoding="utf-8")
 
 
 def test_colab_that_does_not_answer_is_no_reason_to_hand_in_a_blank(
-    own_garden: Path, monkeypatch: pytest.MonkeyPatch
+    own_orchard: Path, monkeypatch: pytest.MonkeyPatch
 ):
     monkeypatch.setitem(sys.modules, "google.colab", ModuleType("google.colab"))
     said = repr(submit())
@@ -197,9 +199,9 @@ def test_colab_that_does_not_answer_is_no_reason_to_hand_in_a_blank(
     assert "Download .ipynb" in said
 
 
-def test_nbclient_sends_no_ids_and_what_it_runs_is_saved(own_garden: Path):
-    folder = own_garden / "notebooks"
-    save(folder, SETUP, "bed_area = 12", "submit()")
+def test_nbclient_sends_no_ids_and_what_it_runs_is_saved(own_orchard: Path):
+    folder = own_orchard / "notebooks"
+    save(folder, SETUP, "trees = 12", "submit()")
     notebook = nbformat.read(folder / NAME, as_version=4)
     NotebookClient(notebook, resources={"metadata": {"path": str(folder)}}).execute()
     assert "Hand in this file." in notebook.cells[2].outputs[0]["data"]["text/plain"]
@@ -209,18 +211,18 @@ def test_nbclient_sends_no_ids_and_what_it_runs_is_saved(own_garden: Path):
 
 
 @pytest.fixture
-def folder(own_garden: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+def folder(own_orchard: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     monkeypatch.setattr(unsaved, "_runs", {})
     monkeypatch.delenv("JPY_SESSION_NAME", raising=False)
-    return own_garden / "notebooks"
+    return own_orchard / "notebooks"
 
 
 def test_a_saved_cell_that_was_changed_and_run_is_noticed(folder: Path):
     save(folder, SETUP, "area = ...")
     unsaved.remember("cell-0", SETUP)
     unsaved.remember("cell-1", "area = 12")
-    assert "1_garden.ipynb differs from what you ran last" in unsaved.unsaved_work(folder)
-    assert "Not ready to hand in: 1_garden.ipynb differs" in repr(submit())
+    assert "3_orchard.ipynb differs from what you ran last" in unsaved.unsaved_work(folder)
+    assert "Not ready to hand in: 3_orchard.ipynb differs" in repr(submit())
     save(folder, SETUP, "area = 12")
     assert unsaved.unsaved_work(folder) == ""
     assert "Hand in this file." in repr(submit())
@@ -263,23 +265,23 @@ def test_a_cell_that_only_hands_in_is_no_work():
 
 def test_the_running_notebook_is_told_from_its_neighbors_by_its_cells(folder: Path):
     save(folder, SETUP, "area = ...")
-    save(folder, SETUP, "height = ...", name="2_garden.ipynb")
+    save(folder, SETUP, "height = ...", name="4_orchard.ipynb")
     unsaved.remember(None, SETUP)
     unsaved.remember(None, "height = ...")
     assert unsaved.unsaved_work(folder) == ""
     unsaved.remember(None, "height = 3")
-    assert unsaved.unsaved_work(folder).startswith("2_garden.ipynb is saved without code")
+    assert unsaved.unsaved_work(folder).startswith("4_orchard.ipynb is saved without code")
 
 
 def test_of_notebooks_that_fit_equally_the_servers_name_decides(
     folder: Path, monkeypatch: pytest.MonkeyPatch
 ):
     save(folder, SETUP)
-    save(folder, SETUP, name="2_garden.ipynb")
+    save(folder, SETUP, name="4_orchard.ipynb")
     unsaved.remember(None, SETUP)
     unsaved.remember(None, "height = 3")
-    monkeypatch.setenv("JPY_SESSION_NAME", "/srv/course/notebooks/2_garden.ipynb")
-    assert unsaved.unsaved_work(folder).startswith("2_garden.ipynb is saved without code")
+    monkeypatch.setenv("JPY_SESSION_NAME", "/srv/course/notebooks/4_orchard.ipynb")
+    assert unsaved.unsaved_work(folder).startswith("4_orchard.ipynb is saved without code")
 
 
 # Where no widget is drawn
@@ -288,13 +290,13 @@ def test_of_notebooks_that_fit_equally_the_servers_name_decides(
 @pytest.mark.parametrize(
     ("id", "line", "then"),
     [
-        ("Q1.1", 'ask("Q1.1").respond([None, None])', "[False, True]"),
-        ("Q1.2", 'ask("Q1.2").respond([1, 2, 3])', "[2, 3, 1]"),
-        ("Q1.3", 'check("Q1.3", bed_area)', ""),
+        ("Q1", 'ask("Q1").respond([None, None])', "[False, True]"),
+        ("Q5", 'ask("Q5").respond([1, 2, 3])', "[2, 3, 1]"),
+        ("Q2", 'check("Q2", trees)', ""),
     ],
 )
 def test_the_plain_form_shows_a_line_to_copy_that_works(
-    garden: Path, id: str, line: str, then: str
+    orchard: Path, id: str, line: str, then: str
 ):
     shown = ask(id)
     assert f"`{line}`" in "\n".join(shown.lines())
@@ -304,12 +306,12 @@ def test_the_plain_form_shows_a_line_to_copy_that_works(
         assert f'ask("{id}").respond({then})' in repr(ask(id))
 
 
-def test_vscode_gets_the_line_below_the_widget_too(garden: Path, monkeypatch: pytest.MonkeyPatch):
+def test_vscode_gets_the_line_below_the_widget_too(orchard: Path, monkeypatch: pytest.MonkeyPatch):
     class Shell:
         user_ns = (frontend.VSCODE_FILE,)
 
     monkeypatch.setenv("AUTOGRADER_WIDGETS", "1")
-    widget = ask("Q1.1")._widget()
+    widget = ask("Q1")._widget()
     assert "in a cell" not in widget.receipt()["text/html"]
     monkeypatch.setattr(frontend, "running_shell", Shell)
-    assert 'ask("Q1.1").respond([None, None])' in widget.receipt()["text/html"]
+    assert 'ask("Q1").respond([None, None])' in widget.receipt()["text/html"]

@@ -20,46 +20,41 @@ from autograder.student.practice.desk import PracticeDesk
 from autograder.student.practice.round import SECONDS, Practice
 from autograder.student.widgets.practice import PracticeWidget
 from autograder.student.widgets.reading import ReadingWidget
+from tests.toy import Toy
 
 SOLUTIONS = '''
 
-def counts_the_baskets(baskets):
+def counts_the_weights(weights):
     """Says how many there are."""
-    return len(baskets)
+    return len(weights)
 
 
-def harvest_cases(rng):
+def heaviest_cases(rng):
     return [
-        {"name": "no basket", "args": [[]]},
-        {"name": "three baskets", "args": [[4, 7, 9]]},
+        {"name": "two apples", "args": [[5, 3]]},
+        {"name": "three apples", "args": [[9, 7, 4]]},
     ]
 '''
 MORE = """
-[["Q1.5".alternative]]
+[["Q4".alternative]]
 name = "counts"
-function = "solutions.garden:counts_the_baskets"
+function = "orchard_reference:counts_the_weights"
 credit = 0.25
-feedback = "You count the baskets instead of what is in them."
+feedback = "You count the apples instead of weighing them."
 """
 
 
 @pytest.fixture
-def pond(own_garden: Path) -> Path:
-    """The garden with a question that has variants, and the key at hand."""
-    questions = own_garden / "notebooks/questions/garden.toml"
-    questions.write_text(questions.read_text() + STORY)
-    answers = own_garden / "solutions/answers/garden.toml"
-    answers.write_text(answers.read_text() + MORE + KEY)
-    code = own_garden / "solutions/garden.py"
-    code.write_text(code.read_text() + SOLUTIONS)
-    return own_garden
+def pond(own_orchard: Path) -> Path:
+    """The orchard with a question that has variants, and the key at hand."""
+    return Toy(own_orchard).add("orchard", STORY, MORE + KEY, SOLUTIONS).root
 
 
 def say(widget: Any, do: str, **message: Any) -> None:
     widget._receive(widget, {"seq": 1, "do": do, **message}, [])
 
 
-def kept(root: Path, name: str = "garden") -> dict[str, Any]:
+def kept(root: Path, name: str = "orchard") -> dict[str, Any]:
     path = root / f"notebooks/responses/{name}.json"
     entries: dict[str, Any] = json.loads(path.read_text())["responses"]
     return entries
@@ -67,8 +62,8 @@ def kept(root: Path, name: str = "garden") -> dict[str, Any]:
 
 def test_another_one_has_other_numbers_names_the_mistake_and_leaves_the_answer(pond, sent):
     desk = Desk(load_course())
-    question = desk.course.question("Q1.6")
-    check("Q1.6", 6)
+    question = desk.course.question("Q6")
+    check("Q6", 6)
     before = kept(pond)
     widget = kind_of(question).widget(desk, question)
     assert widget.fixed["another"]
@@ -78,7 +73,7 @@ def test_another_one_has_other_numbers_names_the_mistake_and_leaves_the_answer(p
         child = widget._practised
         assert sent[-1]["child"] == child.model_id
         assert not child.fixed["another"]
-        numbers = child.desk.course.numbers("Q1.6")
+        numbers = child.desk.course.numbers("Q6")
         seen.add(tuple(numbers.values()))
         assert f"{numbers['fish']} fish" in child.fixed["prompt"]
         say(child, "check", text="fish")  # a name of the variant, not of the notebook
@@ -95,7 +90,7 @@ def test_another_one_has_other_numbers_names_the_mistake_and_leaves_the_answer(p
 def test_without_the_key_there_is_no_other_one(pond, sent):
     (pond / "solutions").rename(pond / "elsewhere")
     desk = Desk(load_course())
-    question = desk.course.question("Q1.6")
+    question = desk.course.question("Q6")
     assert not kind_of(question).widget(desk, question).fixed["another"]
     assert "nothing to practise" in repr(practise())
 
@@ -104,15 +99,15 @@ def test_functions_to_read_give_nothing_away_and_are_marked(pond):
     marker = Marker(load_course(), 3)
     rights = set()
     for seed in range(12):
-        reading = marker.reading("Q1.5", seed)
+        reading = marker.reading("Q4", seed)
         shown = reading.shown()
         assert "right" not in shown
-        assert not any("Says how many" in code or "harvest" in code for code in shown["codes"])
+        assert not any("Says how many" in code or "heaviest" in code for code in shown["codes"])
         spaces: dict[str, Any] = {}
         for code in shown["codes"]:
             exec(code, spaces)
         # What each of them does is found out by running it.
-        assert {name: spaces[name]([4, 7, 9]) == 20 for name in "ABC"}["ABC"[reading.right]]
+        assert {name: spaces[name]([9, 7, 4]) == 9 for name in "ABC"}["ABC"[reading.right]]
         assert str(eval(shown["call"], spaces)) == shown["values"][reading.returned]
         assert "ABC"[reading.right] != shown["called"]
         assert reading.mark(reading.right, reading.returned)["right"]
@@ -125,7 +120,7 @@ def test_functions_to_read_give_nothing_away_and_are_marked(pond):
 
 def test_a_verdict_on_what_was_read_stands(pond, sent):
     desk = Desk(load_course())
-    question = desk.course.question("Q1.5")
+    question = desk.course.question("Q4")
     widget = kind_of(question).widget(desk, question, len, None)
     say(widget, "another")
     child = widget._practised
@@ -140,7 +135,7 @@ def test_a_verdict_on_what_was_read_stands(pond, sent):
 
 FORMULA = """
 [[question]]
-id = "Q1.7"
+id = "Q7"
 kind = "expression"
 title = "Any number of fish"
 points = 1
@@ -152,7 +147,7 @@ hints = ["Double."]
 f = "fish"
 """
 KEY_OF_FORMULA = """
-["Q1.7"]
+["Q7"]
 sample = {f = [1, 9]}
 alternative = [
     {name = "right", credit = 1, expression = "2*f"},
@@ -164,15 +159,13 @@ alternative = [
 
 def test_a_formula_that_nobody_has_answered_yet_is_not_practised(pond, sent):
     """Only its feedback has numbers: another one would ask the same, and tell its answer."""
-    for folder, more in (("notebooks/questions", FORMULA), ("solutions/answers", KEY_OF_FORMULA)):
-        path = pond / folder / "garden.toml"
-        path.write_text(path.read_text() + more)
+    Toy(pond).add("orchard", FORMULA, KEY_OF_FORMULA)
     desk = Desk(load_course())
-    assert "Q1.7" in desk.course.varied
+    assert "Q7" in desk.course.varied
     practised = [placed.question.id for placed in Practice(desk).placed()]
-    assert "Q1.6" in practised
-    assert "Q1.7" not in practised
-    question = desk.course.question("Q1.7")
+    assert "Q6" in practised
+    assert "Q7" not in practised
+    question = desk.course.question("Q7")
     assert not kind_of(question).widget(desk, question).fixed["another"]
 
 
@@ -200,16 +193,16 @@ def test_a_round_ends_after_ten_minutes_and_is_remembered(pond, sent):
     now = [0.0]
     desk = Desk(load_course())
     practice = Practice(desk, np.random.default_rng(4), clock=lambda: now[0])
-    assert [placed.question.id for placed in practice.placed()] == ["Q1.6"]
-    check("Q1.4", 0)  # answered, and wrong: it may be asked again
+    assert [placed.question.id for placed in practice.placed()] == ["Q6"]
+    check("Q3", 0)  # answered, and wrong: it may be asked again
     widget = PracticeWidget(desk, practice)
-    assert {row["id"]: row["box"] for row in widget.state["rows"]} == {"Q1.4": 1, "Q1.6": 2}
+    assert {row["id"]: row["box"] for row in widget.state["rows"]} == {"Q3": 1, "Q6": 2}
     say(widget, "start")
     for _ in range(6):
         child = practice.widget
         assert isinstance(child.desk, PracticeDesk)
-        right = child.question.id == "Q1.6"
-        fish = child.desk.course.numbers("Q1.6")["fish"]
+        right = child.question.id == "Q6"
+        fish = child.desk.course.numbers("Q6")["fish"]
         say(child, "check", text=str(2 * fish) if right else "w")
         moved = widget.state["rows"]
         assert widget.state["asked"] == practice.asked  # the picture follows at once
@@ -224,9 +217,9 @@ def test_a_round_ends_after_ten_minutes_and_is_remembered(pond, sent):
     assert sent[-1]["child"] is None
     assert not widget.state["running"]
     boxes = {p.question.id: p.card for p in Practice(Desk(load_course())).placed()}
-    assert boxes["Q1.4"].box == 1
-    assert boxes["Q1.6"].box == min(5, 2 + boxes["Q1.6"].right)
-    assert boxes["Q1.4"].asked + boxes["Q1.6"].asked == 6
-    assert set(kept(pond, "practice")) == {"Q1.4", "Q1.6"}
-    (pond / "notebooks/responses/practice.json").write_text('{"responses": {"Q1.6": {"box": 99}}}')
+    assert boxes["Q3"].box == 1
+    assert boxes["Q6"].box == min(5, 2 + boxes["Q6"].right)
+    assert boxes["Q3"].asked + boxes["Q6"].asked == 6
+    assert set(kept(pond, "practice")) == {"Q3", "Q6"}
+    (pond / "notebooks/responses/practice.json").write_text('{"responses": {"Q6": {"box": 99}}}')
     assert Practice(desk).placed()[-1].card == Card(2)

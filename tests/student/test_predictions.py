@@ -43,19 +43,19 @@ integer = true
 unit = "acorns"
 """
 
-MARK = Mark("Q1.3", "right", 1.0, 2.0, "")
+MARK = Mark("Q2", "right", 1.0, 2.0, "")
 
 
 @pytest.fixture
-def patch(own_garden: Path) -> Path:
-    """The garden with something to predict; the working folder is that of its notebooks."""
-    path = own_garden / "notebooks/questions/garden.toml"
+def patch(own_orchard: Path) -> Path:
+    """The orchard with something to predict; the working folder is that of its notebooks."""
+    path = own_orchard / "notebooks/questions/orchard.toml"
     path.write_text(path.read_text() + PREDICTIONS)
-    return own_garden
+    return own_orchard
 
 
 def kept(root: Path) -> dict[str, Any]:
-    entries = json.loads((root / "notebooks/responses/garden.json").read_text())["responses"]
+    entries = json.loads((root / "notebooks/responses/orchard.json").read_text())["responses"]
     return {id: entry["response"] for id, entry in entries.items()}
 
 
@@ -172,7 +172,7 @@ def test_a_message_that_makes_no_sense_keeps_nothing(
 
 def test_a_file_that_was_edited_counts_as_not_predicted(patch: Path):
     predict("P1.2", 12)
-    path = patch / "notebooks/responses/garden.json"
+    path = patch / "notebooks/responses/orchard.json"
     path.write_text(path.read_text().replace('"response": 12', '"response": {"a": "b"}'))
     assert predicted("P1.2") is None
     predict("P1.2", 13)
@@ -181,13 +181,13 @@ def test_a_file_that_was_edited_counts_as_not_predicted(patch: Path):
 
 def test_a_lost_file_comes_back_from_the_receipts_of_the_notebook(patch: Path):
     bundle = predict("P1.2", 12)._repr_mimebundle_()
-    notebook = patch / "notebooks/1_garden.ipynb"
+    notebook = patch / "notebooks/3_orchard.ipynb"
     document = json.loads(notebook.read_text())
     document["cells"][0]["outputs"] = [
         {"output_type": "display_data", "data": bundle, "metadata": {}}
     ]
     notebook.write_text(json.dumps(document))
-    (patch / "notebooks/responses/garden.json").unlink()
+    (patch / "notebooks/responses/orchard.json").unlink()
     desk = Desk(load_course())  # as after a restart of the kernel
     assert "was missing; 1 answer came back" in desk.mend()[0]
     assert desk.prediction(desk.course.prediction("P1.2")) == 12
@@ -206,10 +206,10 @@ def test_only_what_the_course_asks_for_and_allows_is_taken_from_a_submission(pat
         "P1.1": {"response": "<script>"},
         "P1.2": {"response": 12},
         "P1.3": {"response": 1},
-        "Q1.3": {"response": 12},
+        "Q2": {"response": 12},
     }
     receipts = {"P1.1": "a bean", "P1.2": 99}
-    contents = Contents({"garden": Notebook([], receipts)}, {"garden": entries})
+    contents = Contents({"orchard": Notebook([], receipts)}, {"orchard": entries})
     assert predictions_of(contents, load_course()) == {"P1.2": 12}
 
 
@@ -290,24 +290,22 @@ def test_numbers_are_counted_in_round_ranges(patch: Path, numbers: list[int], ro
         ('id = "P1.3"\nprompt = "x"\nchoices = ["a", "a"]', "two different choices"),
         ('id = "P1.3"\nprompt = "x"\nbetween = [2, 1]', "must be below the second"),
         ('id = "P1.3"\nprompt = "x"\nbetween = [2]', "a list of 2"),
-        ('id = "P1.1"\nprompt = "x"\nbetween = [1, 2]', "Two predictions have the id P1.1"),
+        ('id = "P1.1"\nprompt = "x"\nbetween = [1, 2]', "two predictions have this id"),
         ('id = "X1"\nprompt = "x"\nbetween = [1, 2]', "id is 'X1'"),
         ('id = "P1.3"\nprompt = "x"\nbetween = [1, 2]\nanswer = 1', "unknown field 'answer'"),
     ],
 )
 def test_a_table_that_cannot_be_asked_is_refused(patch: Path, table: str, said: str):
-    path = patch / "notebooks/questions/garden.toml"
+    path = patch / "notebooks/questions/orchard.toml"
     path.write_text(path.read_text() + f"\n[[prediction]]\n{table}\n")
     with pytest.raises(CourseError, match=said.replace("[", r"\[").replace(".", r"\.")):
         load_course()
 
 
 def test_each_prediction_is_asked_for_in_one_cell_of_its_chapter(patch: Path):
-    source = patch / "notebooks/source"
-    source.mkdir()
-    asked = [f'# %% exercise="Q1.{n}"' for n in range(1, 6)]
+    asked = [f'# %% exercise="Q{n}"' for n in range(1, 6)]
     cells = [*asked, '# %%\npredict("P1.1")', '# %%\npredict("P1.2")']
-    master = source / "1_garden.py"
+    master = patch / "notebooks/source/3_orchard.py"
     master.write_text("\n\n".join(cells))
     assert [one.predictions for one in read_masters(load_course())] == [["P1.1", "P1.2"]]
     for text, said in (

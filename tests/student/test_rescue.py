@@ -14,7 +14,7 @@ from autograder.student.receipts import RECEIPT
 
 def save_receipts(course: Path, receipts: dict[str, object]) -> None:
     """Save them in the notebook's outputs, as JupyterLab does."""
-    path = course / "notebooks/1_garden.ipynb"
+    path = course / "notebooks/3_orchard.ipynb"
     notebook = json.loads(path.read_text())
     notebook["cells"][0]["outputs"] = [
         {
@@ -29,16 +29,16 @@ def save_receipts(course: Path, receipts: dict[str, object]) -> None:
 
 @pytest.mark.parametrize("lost", ["damaged", "missing"])
 def test_answers_come_back_from_the_notebook(
-    own_garden: Path, capsys: pytest.CaptureFixture[str], lost: str
+    own_orchard: Path, capsys: pytest.CaptureFixture[str], lost: str
 ):
     save_receipts(
-        own_garden,
-        {"Q1.1": [False, True], "Q1.2": ["sow", "sow", "eat"], "Q1.3": 12, "Q9": [True]},
+        own_orchard,
+        {"Q1": [False, True], "Q5": ["sow", "sow", "eat"], "Q2": 12, "Q9": [True]},
     )
     if lost == "damaged":
-        (own_garden / "notebooks/responses").mkdir()
-        (own_garden / "notebooks/responses/garden.json").write_text("{")
-    assert "A fern has flowers. → false" in repr(ask("Q1.1"))
+        (own_orchard / "notebooks/responses").mkdir()
+        (own_orchard / "notebooks/responses/orchard.json").write_text("{")
+    assert "An apple tree has cones. → false" in repr(ask("Q1"))
     said = capsys.readouterr().out
     assert said.count("\n") == 1
     assert f"was {lost}" in said
@@ -47,20 +47,20 @@ def test_answers_come_back_from_the_notebook(
     assert capsys.readouterr().out == ""
 
 
-def test_a_file_that_is_lost_while_the_kernel_runs_loses_no_other_answer(own_garden: Path):
-    ask("Q1.1").respond([False, True])
-    save_receipts(own_garden, {"Q1.1": [False, True]})
-    (own_garden / "notebooks/responses/garden.json").unlink()
-    ask("Q1.2").respond(["sow", "water", "eat"])
-    assert "A fern has flowers. → false" in repr(ask("Q1.1"))
+def test_a_file_that_is_lost_while_the_kernel_runs_loses_no_other_answer(own_orchard: Path):
+    ask("Q1").respond([False, True])
+    save_receipts(own_orchard, {"Q1": [False, True]})
+    (own_orchard / "notebooks/responses/orchard.json").unlink()
+    ask("Q5").respond(["sow", "water", "eat"])
+    assert "An apple tree has cones. → false" in repr(ask("Q1"))
 
 
 def test_whoever_names_a_folder_of_responses_starts_empty(
-    own_garden: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    own_orchard: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ):
-    save_receipts(own_garden, {"Q1.1": [False, True]})
+    save_receipts(own_orchard, {"Q1": [False, True]})
     monkeypatch.setenv("AUTOGRADER_RESPONSES", str(tmp_path / "empty"))
-    assert "→" not in repr(ask("Q1.1"))
+    assert "→" not in repr(ask("Q1"))
 
 
 @pytest.mark.parametrize(
@@ -88,15 +88,15 @@ def test_widgets_are_shown_only_where_somebody_can_click(
 
 
 def test_a_widget_has_its_plain_form_beside_it_and_a_receipt_below(
-    garden: Path, monkeypatch: pytest.MonkeyPatch
+    orchard: Path, monkeypatch: pytest.MonkeyPatch
 ):
     shown: list[dict[str, object]] = []
     monkeypatch.setattr("IPython.display.display", lambda bundle, **options: shown.append(bundle))
     monkeypatch.setenv("AUTOGRADER_WIDGETS", "1")
-    asked = ask("Q1.1")
+    asked = ask("Q1")
     asked._ipython_display_()
     widget, receipt = shown
     assert {live.WIDGET_VIEW, "text/plain", "text/markdown"} <= widget.keys()
-    assert "A fern has flowers." in str(widget["text/markdown"])
-    assert "Kept for Q1.1: nothing yet" in str(receipt["text/plain"])
+    assert "An apple tree has cones." in str(widget["text/markdown"])
+    assert "Kept for Q1: nothing yet" in str(receipt["text/plain"])
     assert asked.respond([False, True]).mark.status == "right"

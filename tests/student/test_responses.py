@@ -15,30 +15,30 @@ from autograder.student import responses as module
 from autograder.student.responses import Responses, ResponsesError, responses_folder
 
 
-def test_a_response_is_kept_with_attempts_and_mark(garden: Path):
-    ask("Q1.1").respond([True, True])
-    ask("Q1.1").respond([False, True])
-    entry = json.loads((garden / "garden.json").read_text())["responses"]["Q1.1"]
+def test_a_response_is_kept_with_attempts_and_mark(orchard: Path):
+    ask("Q1").respond([True, True])
+    ask("Q1").respond([False, True])
+    entry = json.loads((orchard / "orchard.json").read_text())["responses"]["Q1"]
     assert entry["response"] == [False, True]
     assert entry["attempts"] == 2
     assert (entry["status"], entry["points"]) == ("right", 2)
     assert entry["answered_at"].endswith("+00:00")
 
 
-def test_a_value_is_kept_as_it_was_understood_and_never_as_code(garden: Path):
-    check("Q1.3", 12)
-    entry = Responses(garden, "garden").get("Q1.3")
+def test_a_value_is_kept_as_it_was_understood_and_never_as_code(orchard: Path):
+    check("Q2", 12)
+    entry = Responses(orchard, "orchard").get("Q2")
     assert entry["understood"] == "12"
     assert entry["response"] is None
 
 
 def test_other_answers_survive_a_new_one(tmp_path: Path):
-    kept = Responses(tmp_path, "garden")
-    kept.record("Q1.1", {"response": [True]})
-    Responses(tmp_path, "garden").record("Q1.2", {"response": ["sow"]})
+    kept = Responses(tmp_path, "orchard")
+    kept.record("Q1", {"response": [True]})
+    Responses(tmp_path, "orchard").record("Q5", {"response": ["sow"]})
     assert {id: entry["response"] for id, entry in kept.all().items()} == {
-        "Q1.1": [True],
-        "Q1.2": ["sow"],
+        "Q1": [True],
+        "Q5": ["sow"],
     }
 
 
@@ -50,28 +50,28 @@ def test_other_answers_survive_a_new_one(tmp_path: Path):
         b"\xff\xfe\x00",
         b"[]",
         b'{"responses": [1]}',
-        b'{"responses": {"Q1.1": 3}}',
+        b'{"responses": {"Q1": 3}}',
         b"[" * 100_000,
     ],
 )
 def test_a_damaged_file_is_kept_aside_and_said_so(
-    garden: Path, capsys: pytest.CaptureFixture[str], damage: bytes
+    orchard: Path, capsys: pytest.CaptureFixture[str], damage: bytes
 ):
-    garden.mkdir()
-    (garden / "garden.json").write_bytes(damage)
-    assert "Q1.1" in repr(ask("Q1.1"))
-    ask("Q1.1").respond([False, True])
-    aside = list(garden.glob("garden.damaged-*.json"))
+    orchard.mkdir()
+    (orchard / "orchard.json").write_bytes(damage)
+    assert "Q1" in repr(ask("Q1"))
+    ask("Q1").respond([False, True])
+    aside = list(orchard.glob("orchard.damaged-*.json"))
     assert [path.read_bytes() for path in aside] == [damage]
     assert aside[0].name in capsys.readouterr().out
-    assert Responses(garden, "garden").get("Q1.1")["response"] == [False, True]
+    assert Responses(orchard, "orchard").get("Q1")["response"] == [False, True]
 
 
 def test_a_write_that_fails_half_way_leaves_the_old_file(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ):
-    kept = Responses(tmp_path, "garden")
-    kept.record("Q1.1", {"response": [True]})
+    kept = Responses(tmp_path, "orchard")
+    kept.record("Q1", {"response": [True]})
     before = kept.path.read_bytes()
 
     def full_disk(descriptor: int) -> None:
@@ -79,16 +79,16 @@ def test_a_write_that_fails_half_way_leaves_the_old_file(
 
     monkeypatch.setattr(os, "fsync", full_disk)
     with pytest.raises(ResponsesError, match=r"NOT saved.*No space left"):
-        kept.record("Q1.1", {"response": [False]})
+        kept.record("Q1", {"response": [False]})
     assert kept.path.read_bytes() == before
     assert list(tmp_path.glob("*.tmp")) == []
 
 
 def test_an_answer_that_cannot_be_saved_says_so_and_shows_no_mark(
-    garden: Path, capsys: pytest.CaptureFixture[str]
+    orchard: Path, capsys: pytest.CaptureFixture[str]
 ):
-    garden.write_text("a file stands where the folder should be", encoding="utf-8")
-    assert ask("Q1.1").respond([False, True]) is None
+    orchard.write_text("a file stands where the folder should be", encoding="utf-8")
+    assert ask("Q1").respond([False, True]) is None
     said = capsys.readouterr().out
     assert said.count("\n") == 1
     assert "NOT saved" in said
@@ -98,44 +98,44 @@ def test_a_file_that_somebody_else_holds_is_waited_for_and_then_given_up(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ):
     monkeypatch.setattr(module, "LOCK_SECONDS", 0.1)
-    with FileLock(tmp_path / "garden.lock"), pytest.raises(ResponsesError, match="NOT saved"):
-        Responses(tmp_path, "garden").record("Q1.1", {"response": [True]})
+    with FileLock(tmp_path / "orchard.lock"), pytest.raises(ResponsesError, match="NOT saved"):
+        Responses(tmp_path, "orchard").record("Q1", {"response": [True]})
 
 
 def _answer_often(folder: Path, id: str) -> None:
     for _ in range(20):
-        Responses(folder, "garden").record(id, {"response": [True]})
+        Responses(folder, "orchard").record(id, {"response": [True]})
 
 
 def test_two_kernels_that_write_at_once_lose_nothing(tmp_path: Path):
     start = multiprocessing.get_context("spawn")
-    writers = [start.Process(target=_answer_often, args=(tmp_path, id)) for id in ("Q1.1", "Q1.2")]
+    writers = [start.Process(target=_answer_often, args=(tmp_path, id)) for id in ("Q1", "Q5")]
     for writer in writers:
         writer.start()
     for writer in writers:
         writer.join()
-    entries = Responses(tmp_path, "garden").all()
-    assert {id: entry["attempts"] for id, entry in entries.items()} == {"Q1.1": 20, "Q1.2": 20}
+    entries = Responses(tmp_path, "orchard").all()
+    assert {id: entry["attempts"] for id, entry in entries.items()} == {"Q1": 20, "Q5": 20}
 
 
-def test_responses_stand_beside_the_notebook_that_runs(own_garden: Path):
-    assert responses_folder(own_garden) == own_garden / "notebooks/responses"
-    ask("Q1.1").respond([False, True])
-    assert (own_garden / "notebooks/responses/garden.json").exists()
+def test_responses_stand_beside_the_notebook_that_runs(own_orchard: Path):
+    assert responses_folder(own_orchard) == own_orchard / "notebooks/responses"
+    ask("Q1").respond([False, True])
+    assert (own_orchard / "notebooks/responses/orchard.json").exists()
 
 
 def test_outside_a_folder_of_notebooks_responses_stand_beside_the_courses_own(
-    own_garden: Path, monkeypatch: pytest.MonkeyPatch
+    own_orchard: Path, monkeypatch: pytest.MonkeyPatch
 ):
-    monkeypatch.chdir(own_garden)
-    assert responses_folder(own_garden) == own_garden / "notebooks/responses"
+    monkeypatch.chdir(own_orchard)
+    assert responses_folder(own_orchard) == own_orchard / "notebooks/responses"
 
 
-def test_progress_counts_answered_questions_and_points(garden: Path):
+def test_progress_counts_answered_questions_and_points(orchard: Path):
     assert "0 of 5" in repr(progress())
     assert "0 of 13" in repr(progress())
-    ask("Q1.1").respond([True, True])
-    check("Q1.3", 12)
+    ask("Q1").respond([True, True])
+    check("Q2", 12)
     assert "2 of 5" in repr(progress())
     assert "3 of 13" in repr(progress())
 
@@ -143,30 +143,30 @@ def test_progress_counts_answered_questions_and_points(garden: Path):
 def test_a_file_that_another_kernel_has_mended_is_not_set_aside_again(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ):
-    slow, fast = Responses(tmp_path, "garden"), Responses(tmp_path, "garden")
+    slow, fast = Responses(tmp_path, "orchard"), Responses(tmp_path, "orchard")
     slow.path.write_text("{")
 
     def meanwhile() -> dict:
         fast.mend()
-        fast.record("Q1.1", {"response": [True, None]})
+        fast.record("Q1", {"response": [True, None]})
         return {}
 
     monkeypatch.setattr(slow, "_rescue", meanwhile)
     assert slow.mend() == ""
-    assert slow.get("Q1.1")["response"] == [True, None]
+    assert slow.get("Q1")["response"] == [True, None]
     assert [path.read_text() for path in tmp_path.glob("*.damaged-*")] == ["{"]
 
 
 def test_a_file_that_cannot_be_read_for_a_moment_is_no_damaged_one(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ):
-    responses = Responses(tmp_path, "garden")
-    responses.record("Q1.1", {"response": [True, None]})
+    responses = Responses(tmp_path, "orchard")
+    responses.record("Q1", {"response": [True, None]})
     with monkeypatch.context() as patch:
         patch.setattr(Path, "read_text", lambda *_, **__: (_ for _ in ()).throw(PermissionError()))
         with pytest.raises(ResponsesError, match="NOT saved"):
-            responses.record("Q1.2", {"response": 1})
+            responses.record("Q5", {"response": 1})
         with pytest.raises(ResponsesError, match="NOT saved"):
             responses.mend()
-    assert responses.get("Q1.1")["response"] == [True, None]
+    assert responses.get("Q1")["response"] == [True, None]
     assert list(tmp_path.glob("*.damaged-*")) == []

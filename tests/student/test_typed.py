@@ -19,7 +19,7 @@ from autograder.questions.registry import kind_of
 COMMON = {"id": "Q1", "chapter": "c", "title": "t", "prompt": "p", "hints": ("h",)}
 WORTH = {**COMMON, "points": 1.0}
 NUMBER = Number(**WORTH, variable="area", integer=True)
-FORMULA = Expression(**WORTH, variable="fence", symbols={"w": "width", "l": "length"})
+FORMULA = Expression(**WORTH, variable="hedge", symbols={"w": "width", "l": "length"})
 
 
 def cell_for(question, response):
@@ -98,20 +98,20 @@ def test_what_is_no_formula_is_refused_with_a_reason(text: str, said: str):
 
 
 def test_the_cell_for_the_grader_fills_in_what_the_notebook_left_open(
-    garden_template: Path, monkeypatch: pytest.MonkeyPatch
+    orchard_template: Path, monkeypatch: pytest.MonkeyPatch
 ):
-    monkeypatch.setenv("AUTOGRADER_COURSE", str(garden_template))
-    formula = Expression(**WORTH | {"id": "Q1.4"}, variable="fence", symbols=FORMULA.symbols)
+    monkeypatch.setenv("AUTOGRADER_COURSE", str(orchard_template))
+    formula = Expression(**WORTH | {"id": "Q3"}, variable="hedge", symbols=FORMULA.symbols)
     cells = [cell_for(NUMBER, 12), cell_for(formula, "2*w")]
     left_open = {"area": ..., "other": 1}
     for cell in cells:
         exec(str(cell), left_open)
     assert left_open["area"] == 12
-    assert str(left_open["fence"]) == "2*w"
-    assigned = {"area": 3, "fence": 4}
+    assert str(left_open["hedge"]) == "2*w"
+    assigned = {"area": 3, "hedge": 4}
     for cell in cells:
         exec(str(cell), assigned)
-    assert (assigned["area"], assigned["fence"]) == (3, 4)
+    assert (assigned["area"], assigned["hedge"]) == (3, 4)
 
 
 @pytest.mark.parametrize("response", [None, True, "12", [1], {"a": 1}])
@@ -120,9 +120,9 @@ def test_nothing_else_becomes_a_cell(response: object):
     assert cell_for(TrueFalse(**COMMON, statements=("a",)), response) is None
 
 
-def test_what_a_file_says_was_typed_cannot_run(garden_template: Path, monkeypatch):
-    monkeypatch.setenv("AUTOGRADER_COURSE", str(garden_template))
-    formula = Expression(**WORTH | {"id": "Q1.4"}, variable="fence", symbols=FORMULA.symbols)
+def test_what_a_file_says_was_typed_cannot_run(orchard_template: Path, monkeypatch):
+    monkeypatch.setenv("AUTOGRADER_COURSE", str(orchard_template))
+    formula = Expression(**WORTH | {"id": "Q3"}, variable="hedge", symbols=FORMULA.symbols)
     namespace: dict[str, object] = {}
     exec(str(cell_for(formula, "'); raise SystemExit('")), namespace)
-    assert namespace["fence"] is ...
+    assert namespace["hedge"] is ...

@@ -16,63 +16,63 @@ from autograder.kinds.number.question import Number
 from autograder.student.desk import Desk
 from autograder.student.responses import Responses
 from autograder.student.widgets.progress import ProgressWidget
+from tests.toy import Toy
 
 
-def test_hints_come_one_at_a_time_and_are_counted(garden: Path):
-    first, second = (repr(hint("Q1.1")) for _ in range(2))
-    assert first.startswith("Hint 1 of 2: Look under a fern's leaf.")
+def test_hints_come_one_at_a_time_and_are_counted(orchard: Path):
+    first, second = (repr(hint("Q1")) for _ in range(2))
+    assert first.startswith("Hint 1 of 2: Look up in spring.")
     assert "For the next one, run this again." in first
-    assert "Hint 2 of 2: Look under an oak." in second
+    assert "Hint 2 of 2: Look up in summer." in second
     assert "run this again" not in second
-    assert Responses(garden, "garden").get("Q1.1")["hints"] == 2
+    assert Responses(orchard, "orchard").get("Q1")["hints"] == 2
 
 
-def test_a_wrong_answer_and_a_question_say_how_to_get_a_hint(garden: Path):
-    assert 'hint("Q1.3")' in repr(check("Q1.3", 999))
-    assert 'hint("Q1.3")' not in repr(check("Q1.3", 12))
-    assert 'hint("Q1.1")' in repr(ask("Q1.1"))
+def test_a_wrong_answer_and_a_question_say_how_to_get_a_hint(orchard: Path):
+    assert 'hint("Q2")' in repr(check("Q2", 999))
+    assert 'hint("Q2")' not in repr(check("Q2", 12))
+    assert 'hint("Q1")' in repr(ask("Q1"))
 
 
-def test_the_hints_of_a_function_stand_in_the_notebook(garden: Path):
-    def wrong(baskets):
+def test_the_hints_of_a_function_stand_in_the_notebook(orchard: Path):
+    def wrong(weights):
         return -1.0
 
-    assert "hint(" not in repr(check("Q1.5", wrong))
+    assert "hint(" not in repr(check("Q4", wrong))
 
 
 def test_progress_names_what_is_open_and_what_is_marked_later(bundle: Path):
     assert "Not answered yet" not in repr(progress())  # nothing is begun
-    check("Q1.3", 12)
+    check("Q2", 12)
     said = repr(progress())
-    assert "Not answered yet: Q1.1, Q1.2, Q1.4, Q1.5." in said
-    assert "marked only after you hand in: Q1.3." in said
+    assert "Not answered yet: Q1, Q3, Q4, Q5." in said
+    assert "marked only after you hand in: Q2." in said
     (chapter,) = ProgressWidget(Desk(load_course(bundle))).what_is_kept()["chapters"]
-    assert chapter["later"] == ["Q1.3"]
-    assert chapter["open"] == ["Q1.1", "Q1.2", "Q1.4", "Q1.5"]
+    assert chapter["later"] == ["Q2"]
+    assert chapter["open"] == ["Q1", "Q3", "Q4", "Q5"]
 
 
-def test_submit_says_that_the_name_is_missing_where_the_course_asks_for_it(own_garden: Path):
+def test_submit_says_that_the_name_is_missing_where_the_course_asks_for_it(own_orchard: Path):
     asks = "You have not said who you are"
     assert asks not in repr(submit())  # this course never asks
     start = new_notebook(cells=[new_code_cell("me()")])
-    nbformat.write(start, own_garden / "notebooks/0_start.ipynb")
+    nbformat.write(start, own_orchard / "notebooks/0_start.ipynb")
     assert asks in repr(submit())
     me("Ada Lovelace")
     assert asks not in repr(submit())
 
 
-def fails(baskets):
-    raise LookupError(f"no basket among {np.size(baskets)}")
+def fails(weights):
+    raise LookupError(f"no apple among {np.size(weights)}")
 
 
-def test_an_exception_is_told_with_its_message_where_the_input_is_public(own_garden: Path):
-    path = own_garden / "solutions/garden.py"
-    path.write_text(path.read_text().replace('"args": [[]]', '"args": [[]], "public": True'))
-    assert "LookupError: no basket among 0." in repr(check("Q1.5", fails))
+def test_an_exception_is_told_with_its_message_where_the_input_is_public(orchard: Path):
+    assert "LookupError: no apple among 3." in repr(check("Q4", fails))
 
 
-def test_what_an_exception_says_of_a_hidden_input_is_not_told(garden: Path):
-    assert "no basket among" not in repr(check("Q1.5", fails))
+def test_what_an_exception_says_of_a_hidden_input_is_not_told(own_orchard: Path):
+    Toy(own_orchard).replace("orchard_reference.py", ', "public": True', "")
+    assert "no apple among" not in repr(check("Q4", fails))
 
 
 def test_one_of_a_thing_has_a_unit_of_its_own():

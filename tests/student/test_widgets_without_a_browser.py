@@ -21,7 +21,7 @@ from autograder.student.widgets.submission import SubmissionWidget
 
 
 @pytest.fixture
-def desk(garden: Path) -> Desk:
+def desk(orchard: Path) -> Desk:
     return Desk(load_course())
 
 
@@ -35,34 +35,34 @@ def say(widget: Any, do: str, **message: Any) -> None:
     widget._receive(widget, {"seq": 1, "do": do, **message}, [])
 
 
-def test_a_choice_is_kept_before_the_browser_hears_that_it_is(desk: Desk, garden: Path, sent):
-    widget = show(desk, "Q1.1")
+def test_a_choice_is_kept_before_the_browser_hears_that_it_is(desk: Desk, orchard: Path, sent):
+    widget = show(desk, "Q1")
     say(widget, "choose", statement=1, said=True)
-    assert Responses(garden, "garden").get("Q1.1")["response"] == [None, True]
+    assert Responses(orchard, "orchard").get("Q1")["response"] == [None, True]
     assert widget.state["response"] == [None, True]
     assert sent == [{"seq": 1, "ok": True, "said": ""}]
 
 
-def test_a_choice_does_not_undo_what_another_kernel_kept(desk: Desk, garden: Path, sent):
-    first, second = show(desk, "Q1.1"), show(Desk(load_course()), "Q1.1")
+def test_a_choice_does_not_undo_what_another_kernel_kept(desk: Desk, orchard: Path, sent):
+    first, second = show(desk, "Q1"), show(Desk(load_course()), "Q1")
     say(first, "choose", statement=0, said=False)
     say(second, "choose", statement=1, said=True)
-    assert Responses(garden, "garden").get("Q1.1")["response"] == [False, True]
+    assert Responses(orchard, "orchard").get("Q1")["response"] == [False, True]
 
 
-def test_an_answer_that_cannot_be_saved_is_taken_back_and_said(desk: Desk, garden: Path, sent):
-    widget = show(desk, "Q1.1")
+def test_an_answer_that_cannot_be_saved_is_taken_back_and_said(desk: Desk, orchard: Path, sent):
+    widget = show(desk, "Q1")
     say(widget, "choose", statement=0, said=False)
-    (garden / "garden.json").rename(garden.parent / "aside.json")
-    for left in garden.iterdir():
+    (orchard / "orchard.json").rename(orchard.parent / "aside.json")
+    for left in orchard.iterdir():
         left.unlink()
-    garden.rmdir()
-    garden.write_text("in the way", encoding="utf-8")
+    orchard.rmdir()
+    orchard.write_text("in the way", encoding="utf-8")
     say(widget, "choose", statement=0, said=True)
     assert sent[-1]["ok"] is False
     assert "NOT saved" in sent[-1]["said"]
     assert widget.state["response"] is None
-    assert "NOT saved" in show(desk, "Q1.1").state["refusal"]
+    assert "NOT saved" in show(desk, "Q1").state["refusal"]
 
 
 @pytest.mark.parametrize(
@@ -78,61 +78,61 @@ def test_an_answer_that_cannot_be_saved_is_taken_back_and_said(desk: Desk, garde
     ],
 )
 def test_a_message_that_makes_no_sense_changes_nothing(
-    desk: Desk, garden: Path, sent, message: dict[str, Any]
+    desk: Desk, orchard: Path, sent, message: dict[str, Any]
 ):
-    widget = show(desk, "Q1.1")
+    widget = show(desk, "Q1")
     widget._receive(widget, {"seq": 4, **message}, [])
     assert (sent[-1]["seq"], sent[-1]["ok"]) == (4, False)
-    assert not (garden / "garden.json").exists()
+    assert not (orchard / "orchard.json").exists()
 
 
 def test_a_mark_stands_as_long_as_the_response_it_judges(desk: Desk, sent):
-    widget = show(desk, "Q1.1")
+    widget = show(desk, "Q1")
     say(widget, "choose", statement=0, said=True)
     say(widget, "choose", statement=1, said=True)
     say(widget, "check")
     mark = widget.state["mark"]
     assert (mark["status"], mark["points"]) == ("partial", "1 of 2 points")
     assert [part["right"] for part in mark["parts"]] == [False, True]
-    assert "look for seeds" in mark["parts"][0]["feedback"]
+    assert "look for needles" in mark["parts"][0]["feedback"]
     assert widget.state["attempts"] == "1 attempt"
     say(widget, "choose", statement=0, said=False)
     assert widget.state["mark"] is None
 
 
 def test_a_kernel_that_is_started_again_shows_the_mark_without_counting_it(desk: Desk, sent):
-    widget = show(desk, "Q1.1")
+    widget = show(desk, "Q1")
     say(widget, "choose", statement=0, said=False)
     say(widget, "check")
-    again = show(Desk(load_course()), "Q1.1")
+    again = show(Desk(load_course()), "Q1")
     assert again.state["mark"] == widget.state["mark"]
     assert again.state["attempts"] == "1 attempt"
 
 
-def test_a_changed_answer_is_no_longer_marked_in_the_file(desk: Desk, garden: Path, sent):
-    widget = show(desk, "Q1.2")
+def test_a_changed_answer_is_no_longer_marked_in_the_file(desk: Desk, orchard: Path, sent):
+    widget = show(desk, "Q5")
     say(widget, "order", cards=["sow", "water", "eat"])
     say(widget, "check")
-    assert Responses(garden, "garden").get("Q1.2")["points"] == 3
+    assert Responses(orchard, "orchard").get("Q5")["points"] == 3
     say(widget, "order", cards=["water", "sow", "eat"])
-    entry = Responses(garden, "garden").get("Q1.2")
+    entry = Responses(orchard, "orchard").get("Q5")
     assert (entry["status"], entry["points"], entry["attempts"]) == ("recorded", 0, 1)
     say(widget, "order", cards=["eat", "sow", "water"])  # as they were dealt
-    assert Responses(garden, "garden").get("Q1.2")["status"] == "not attempted"
+    assert Responses(orchard, "orchard").get("Q5")["status"] == "not attempted"
 
 
 def test_the_card_to_move_is_named(desk: Desk, sent):
-    widget = show(desk, "Q1.2")
+    widget = show(desk, "Q5")
     say(widget, "order", cards=["water", "eat", "sow"])
     say(widget, "check")
     assert [part["right"] for part in widget.state["mark"]["parts"]] == [True, True, False]
 
 
 def test_the_browser_gets_the_sentences_of_the_language_that_is_spoken(desk: Desk):
-    assert show(desk, "Q1.2").get_state()["translated"] == {}
+    assert show(desk, "Q5").get_state()["translated"] == {}
     language.use("de")
     try:
-        translated = show(desk, "Q1.2").get_state()["translated"]
+        translated = show(desk, "Q5").get_state()["translated"]
     finally:
         language.use("")
     assert translated["Check"] == "Prüfen"
@@ -140,19 +140,19 @@ def test_the_browser_gets_the_sentences_of_the_language_that_is_spoken(desk: Des
     assert "Predict" not in translated  # it is no sentence of this widget
 
 
-def test_hints_are_opened_one_by_one_and_are_no_answer(desk: Desk, garden: Path, sent):
-    widget = show(desk, "Q1.1")
+def test_hints_are_opened_one_by_one_and_are_no_answer(desk: Desk, orchard: Path, sent):
+    widget = show(desk, "Q1")
     for count in (1, 2, 2):
         say(widget, "hint")
         assert widget.state["hints"] == count
-    assert show(Desk(load_course()), "Q1.1").state["hints"] == 2
+    assert show(Desk(load_course()), "Q1").state["hints"] == 2
     progress = ProgressWidget(desk)
     assert progress.state["chapters"][0]["answered"] == 0
 
 
 def test_progress_and_other_widgets_of_the_question_follow(desk: Desk, sent):
     progress = ProgressWidget(desk)
-    first, second = show(desk, "Q1.1"), show(desk, "Q1.1")
+    first, second = show(desk, "Q1"), show(desk, "Q1")
     say(first, "choose", statement=0, said=False)
     say(first, "check")
     assert second.state["response"] == [False, None]
@@ -164,47 +164,47 @@ def test_progress_and_other_widgets_of_the_question_follow(desk: Desk, sent):
 
 
 def test_the_receipt_is_readable_and_can_be_taken_in_again(desk: Desk, sent):
-    widget = show(desk, "Q1.1")
+    widget = show(desk, "Q1")
     assert RECEIPT not in widget.receipt()
     say(widget, "choose", statement=0, said=False)
     receipt = widget.receipt()
     assert json.loads(json.dumps(receipt[RECEIPT])) == {
-        "question": "Q1.1",
+        "question": "Q1",
         "response": [False, None],
     }
-    assert receipt["text/plain"].startswith("Kept for Q1.1: 1 false · 2 open")
+    assert receipt["text/plain"].startswith("Kept for Q1: 1 false · 2 open")
 
 
-def test_a_typed_number_is_understood_kept_and_marked(desk: Desk, garden: Path, sent):
-    widget = show(desk, "Q1.3")
+def test_a_typed_number_is_understood_kept_and_marked(desk: Desk, orchard: Path, sent):
+    widget = show(desk, "Q2")
     say(widget, "type", text="3 * 4")
     assert "12" in widget.state["understood"]
-    assert "square metres" in widget.state["understood"]
-    assert Responses(garden, "garden").get("Q1.3")["response"] == 12
+    assert widget.state["understood"].endswith(" trees")
+    assert Responses(orchard, "orchard").get("Q2")["response"] == 12
     say(widget, "check", text="3 * 4")
     assert widget.state["mark"]["status"] == "right"
 
 
-def test_what_is_not_understood_leaves_the_answer_as_it_was(desk: Desk, garden: Path, sent):
-    widget = show(desk, "Q1.3")
+def test_what_is_not_understood_leaves_the_answer_as_it_was(desk: Desk, orchard: Path, sent):
+    widget = show(desk, "Q2")
     say(widget, "type", text="12")
     say(widget, "type", text="12 +")
     assert sent[-1]["ok"] is False
-    assert Responses(garden, "garden").get("Q1.3")["response"] == 12
+    assert Responses(orchard, "orchard").get("Q2")["response"] == 12
 
 
 def test_a_typed_formula_is_typeset(desk: Desk, sent):
-    widget = show(desk, "Q1.4")
+    widget = show(desk, "Q3")
     say(widget, "check", text="2*w + 2*l")
     assert "<math" in widget.state["understood"]
     assert widget.state["mark"]["status"] == "right"
-    again = show(Desk(load_course()), "Q1.4")
+    again = show(Desk(load_course()), "Q3")
     assert again.state["mark"]["status"] == "right"
     assert again.state["response"] == "2*w + 2*l"
 
 
 def test_a_value_of_the_notebook_is_shown_without_a_field(desk: Desk, sent):
-    question = desk.course.question("Q1.4")
+    question = desk.course.question("Q3")
     w, length = sp.symbols("w l")
     mark = desk.mark_value(question, w + length)
     widget = kind_of(question).widget(desk, question, w + length, mark)
@@ -213,61 +213,61 @@ def test_a_value_of_the_notebook_is_shown_without_a_field(desk: Desk, sent):
     assert widget.state["mark"]["status"] == "partial"
 
 
-def test_a_value_of_the_notebook_takes_the_place_of_a_typed_one(desk: Desk, garden: Path, sent):
-    say(show(desk, "Q1.3"), "check", text="7")
-    desk.mark_value(desk.course.question("Q1.3"), 12)
-    entry = Responses(garden, "garden").get("Q1.3")
+def test_a_value_of_the_notebook_takes_the_place_of_a_typed_one(desk: Desk, orchard: Path, sent):
+    say(show(desk, "Q2"), "check", text="7")
+    desk.mark_value(desk.course.question("Q2"), 12)
+    entry = Responses(orchard, "orchard").get("Q2")
     assert (entry["response"], entry["points"]) == (None, 2)
 
 
 def test_a_function_has_no_field(desk: Desk, sent):
-    question = desk.course.question("Q1.5")
-    widget = kind_of(question).widget(desk, question, sum, desk.mark_value(question, sum))
+    question = desk.course.question("Q4")
+    widget = kind_of(question).widget(desk, question, max, desk.mark_value(question, max))
     assert widget.fixed["field"] is False
     assert widget.state["mark"]["status"] == "right"
 
 
-def test_a_broken_key_does_not_lose_the_answer(own_garden: Path, sent):
-    (own_garden / "solutions/answers/garden.toml").write_text("[")
+def test_a_broken_key_does_not_lose_the_answer(own_orchard: Path, sent):
+    (own_orchard / "solutions/answers/orchard.toml").write_text("[")
     desk = Desk(load_course())
-    widget = show(desk, "Q1.1")
+    widget = show(desk, "Q1")
     say(widget, "choose", statement=0, said=False)
     assert sent[-1]["ok"] is True
     say(widget, "check")
     assert sent[-1]["ok"] is False
-    entry = Responses(own_garden / "notebooks/responses", "garden").get("Q1.1")
+    entry = Responses(own_orchard / "notebooks/responses", "orchard").get("Q1")
     assert entry["response"] == [False, None]
 
 
 def test_without_a_key_there_is_nothing_to_check_and_answers_are_kept(bundle: Path, sent):
-    widget = show(Desk(load_course()), "Q1.1")
+    widget = show(Desk(load_course()), "Q1")
     assert widget.fixed["marks"] is False
     say(widget, "choose", statement=0, said=False)
     assert sent[-1]["ok"] is True
-    entry = Responses(bundle / "notebooks/responses", "garden").get("Q1.1")
+    entry = Responses(bundle / "notebooks/responses", "orchard").get("Q1")
     assert (entry["status"], entry["response"]) == ("recorded", [False, None])
 
 
-def test_the_panel_lists_what_is_open_and_packs_again(own_garden: Path, sent):
+def test_the_panel_lists_what_is_open_and_packs_again(own_orchard: Path, sent):
     from autograder.student.api import _pack
 
     desk = Desk(load_course())
     panel = SubmissionWidget(desk, _pack(desk, None), lambda: _pack(desk, None))
     questions = panel.state["chapters"][0]["questions"]
     assert [entry["answered"] for entry in questions] == [False] * 5
-    assert panel.state["path"] == str(own_garden / "notebooks/submission.zip")
-    say(show(desk, "Q1.1"), "choose", statement=0, said=False)
+    assert panel.state["path"] == str(own_orchard / "notebooks/submission.zip")
+    say(show(desk, "Q1"), "choose", statement=0, said=False)
     assert panel.state["stale"] is True
     assert panel.state["chapters"][0]["questions"][0]["answered"] is True
     say(panel, "pack")
     assert panel.state["stale"] is False
-    assert "responses/garden.json" in panel.state["names"]
+    assert "responses/orchard.json" in panel.state["names"]
 
 
 def test_prompts_with_formulas_become_mathml_and_html_in_them_stays_text(desk: Desk):
     from autograder.reports.markdown import formula, markdown
 
-    assert "<math" in show(desk, "Q1.1").fixed["prompt"]
+    assert "<math" in show(desk, "Q1").fixed["prompt"]
     assert "<script>" not in markdown("<script>alert(1)</script>")
     assert formula(r"\nonsense{") == r"<code>\nonsense{</code>"
 
@@ -280,7 +280,7 @@ def test_widgets_and_pages_of_feedback_read_markdown_in_the_same_way(desk: Desk)
 
     picture, link = "![x](http://a.example/p.png)", r"$\href{http://a.example}{x}$"
     prompt = f"Is $5 more than $6?\n\n{picture}\n\n{link}\n\n$x^2$"
-    question = replace(desk.course.question("Q1.1"), prompt=prompt)
+    question = replace(desk.course.question("Q1"), prompt=prompt)
     shown = kind_of(question).widget(desk, question).fixed["prompt"]
     assert shown == markdown(prompt)
     assert "Is $5 more than $6?" in shown
@@ -289,34 +289,34 @@ def test_widgets_and_pages_of_feedback_read_markdown_in_the_same_way(desk: Desk)
     assert shown.count("<math") == 1
 
 
-@pytest.mark.parametrize(("id", "text"), [("Q1.3", "3 * 4"), ("Q1.4", "2*w + 2*l")])
+@pytest.mark.parametrize(("id", "text"), [("Q2", "3 * 4"), ("Q3", "2*w + 2*l")])
 def test_checking_the_variable_that_a_field_has_filled_keeps_what_was_typed(
-    desk: Desk, garden: Path, id: str, text: str
+    desk: Desk, orchard: Path, id: str, text: str
 ):
     question: Any = desk.course.question(id)
     desk.keep_typed(question, text)
-    kept = Responses(garden, "garden").get(id)["response"]
+    kept = Responses(orchard, "orchard").get(id)["response"]
     check(id, desk.typed(question))  # as when the cell is run again
-    assert Responses(garden, "garden").get(id)["response"] == kept
+    assert Responses(orchard, "orchard").get(id)["response"] == kept
     check(id, 13)  # the notebook's own value counts from now on
-    assert Responses(garden, "garden").get(id)["response"] is None
+    assert Responses(orchard, "orchard").get(id)["response"] is None
 
 
 def test_a_check_button_stands_where_something_can_be_marked(bundle: Path):
     desk = Desk(load_course())
-    assert not show(desk, "Q1.1").fixed["marks"]
+    assert not show(desk, "Q1").fixed["marks"]
     assert not ProgressWidget(desk).state["chapters"][0]["marks"]
     (bundle / "notebooks/snapshots").mkdir()
-    snapshot = {"Q1.4": {"points": {"w": [1.0]}, "accepted": [], "checked": True}}
-    (bundle / "notebooks/snapshots/garden.json").write_text(json.dumps(snapshot))
+    snapshot = {"Q3": {"points": {"w": [1.0]}, "accepted": [], "checked": True}}
+    (bundle / "notebooks/snapshots/orchard.json").write_text(json.dumps(snapshot))
     desk = Desk(load_course())
-    assert show(desk, "Q1.4").fixed["marks"]
-    assert not show(desk, "Q1.3").fixed["marks"]
+    assert show(desk, "Q3").fixed["marks"]
+    assert not show(desk, "Q2").fixed["marks"]
     assert not ProgressWidget(desk).state["chapters"][0]["marks"]
 
 
-def test_a_chapter_for_practice_has_check_buttons(bundle: Path, garden_template: Path):
-    shutil.copytree(garden_template, bundle / "practice")
+def test_a_chapter_for_practice_has_check_buttons(bundle: Path, orchard_template: Path):
+    shutil.copytree(orchard_template, bundle / "practice")
     (bundle / "notebooks/snapshots").mkdir()
     desk = Desk(load_course())
     assert all(show(desk, id).fixed["marks"] for id in desk.course.questions)

@@ -8,7 +8,7 @@ from msgspec import Meta, field
 
 from autograder.kinds.expression.question import Expression
 from autograder.questions.answer import Answer, PublicAlternative
-from autograder.questions.written import Text
+from autograder.questions.written import FieldError, Text
 
 
 class ExpressionAlternative(PublicAlternative, frozen=True, kw_only=True):
@@ -40,9 +40,11 @@ class ExpressionAnswer(Answer, frozen=True, kw_only=True):
         super().__post_init__()
         for name, (low, high) in self.sample.items():
             if not low < high:
-                raise ValueError(f"sample must give {name!r} two numbers, the smaller one first")
+                raise FieldError(
+                    f"sample must give {name!r} two numbers, the smaller one first", "sample", name
+                )
         if not set(self.free_of) <= self.sample.keys():
-            raise ValueError("give each symbol of free_of a range in sample")
+            raise FieldError("give each symbol of free_of a range in sample", "free_of")
 
 
 def check_expression(question: Expression, answer: ExpressionAnswer) -> None:
@@ -65,4 +67,4 @@ def check_expression(question: Expression, answer: ExpressionAnswer) -> None:
                 for name in sorted(drawn - wanted)
             ),
         ]
-        raise ValueError(", and ".join(problems))
+        raise FieldError(", and ".join(problems), "sample")

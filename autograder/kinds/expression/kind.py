@@ -138,6 +138,10 @@ class ExpressionKind(CodeKind[Expression, ExpressionAnswer]):
 
         return in_a_cell(written)
 
+    def right_texts(self, answer: ExpressionAnswer) -> tuple[str, ...]:
+        right = (entry.expression for entry in answer.alternatives if not entry.is_mistake)
+        return (*super().right_texts(answer), *right)
+
     def secrets(self, question: Expression, answer: ExpressionAnswer) -> Iterator[str]:
         yield from super().secrets(question, answer)
         for entry in answer.alternatives:

@@ -7,7 +7,7 @@ from typing import Annotated
 from msgspec import Meta
 
 from autograder.questions.question import PointedQuestion
-from autograder.questions.written import PythonName, check_python_name
+from autograder.questions.written import FieldError, PythonName, check_python_name
 
 
 class Expression(PointedQuestion, frozen=True, kw_only=True, tag="expression"):
@@ -21,11 +21,11 @@ class Expression(PointedQuestion, frozen=True, kw_only=True, tag="expression"):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        check_python_name("variable", self.variable)
+        check_python_name("variable", self.variable, "variable")
         for name, meaning in self.symbols.items():
-            check_python_name("a symbol", name)
+            check_python_name("a symbol", name, "symbols", name)
             if not meaning.strip():
-                raise ValueError(f"say in words what the symbol {name!r} means")
+                raise FieldError(f"say in words what the symbol {name!r} means", "symbols", name)
 
     @property
     def name(self) -> str | None:

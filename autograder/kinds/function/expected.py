@@ -9,7 +9,7 @@ from typing import overload
 
 import numpy as np
 
-from autograder.course.loading import load_object
+from autograder.course.loading import load_object, place_of
 from autograder.course.right_work import right_functions
 from autograder.errors import CourseError
 from autograder.kinds.function.answer import FunctionAlternative, FunctionAnswer
@@ -35,8 +35,10 @@ def draw(
     Raises:
         CourseError: if one of them cannot be loaded or run, or the cases are malformed.
     """
-    cases = load_object(answer.cases, root)(rng)
-    _check_cases(question, cases)
+    make_cases = load_object(answer.cases, root)
+    cases = make_cases(rng)
+    if problem := problem_of_cases(question, cases):
+        raise CourseError(f"{problem}{place_of(make_cases, root)}.")
     sent = {**base, "cases": [{"args": c["args"], "kwargs": c.get("kwargs", {})} for c in cases]}
     reference = load_object(answer.reference, root)
     compare = load_object(answer.compare, root) if answer.compare else close
@@ -107,22 +109,19 @@ def _outcomes(dotted_name: str, sent: dict[str, object], root: Path) -> list[dic
     return list(reply["outcomes"])
 
 
-def _check_cases(question: Function, cases: object) -> None:
-    """Whether cases are a list of dictionaries that hold what a case may hold.
-
-    Raises:
-        CourseError: if not; the sentence names the case.
-    """
+def problem_of_cases(question: Function, cases: object) -> str:
+    """Why cases are no list of dictionaries that hold what a case may hold; empty if they are."""
     if not isinstance(cases, list) or not cases:
-        raise CourseError(
+        return (
             f"The cases of {question.id} must be a list of dictionaries with name and args, and "
-            "not empty."
+            "not empty"
         )
     for number, case in enumerate(cases, 1):
         problem = _problem_of_case(case)
         if problem:
             name = case.get("name", number) if isinstance(case, dict) else number
-            raise CourseError(f"Case {name!r} of {question.id}: {problem}.")
+            return f"Case {name!r} of {question.id}: {problem}"
+    return ""
 
 
 def _problem_of_case(case: object) -> str:
@@ -135,4 +134,14 @@ def _problem_of_case(case: object) -> str:
         return 'it needs a "name", a text that says what kind of input it is'
     if not isinstance(case.get("args"), list):
         return 'it needs "args", the list of the arguments: [12.0] where there is one'
+    for key, counts in (("draws", 2), ("samples", 3)):
+        if key in case and not _are_counts(case[key], counts):
+            pattern = "(low, high)" if key == "draws" else "(2, low, high) for samples of two"
+            return f'"{key}" must be {pattern}, not {case[key]!r}'
     return ""
+
+
+def _are_counts(value: object, length: int) -> bool:
+    if not isinstance(value, tuple | list) or len(value) != length:
+        return False
+    return all(isinstance(count, int | float | np.number) for count in value)

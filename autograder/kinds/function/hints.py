@@ -88,6 +88,8 @@ def _shown(value: object) -> str:
             text = f"np.array({np.array2string(value, separator=', ')})"
         elif isinstance(value, list):
             text = "[" + ", ".join(map(_entry, value)) + "]"
+        elif isinstance(value, dict) and value.keys() == {"rng"}:  # as a student can type it
+            text = f"np.random.default_rng({value['rng']!r})"
         else:
             text = f"{value:.8g}" if isinstance(value, float) else repr(value)
     text = " ".join("".join(c if c.isprintable() else " " for c in text).split())

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from autograder.course.loading import load_object
+from autograder.course.loading import load_object, place_of
 from autograder.exchange.messages import Value
 from autograder.kinds.function import snapshot as examples
 from autograder.kinds.function.answer import FunctionAnswer
@@ -17,7 +17,7 @@ from autograder.kinds.function.marking import mark_function
 from autograder.kinds.function.promises import promises
 from autograder.kinds.function.question import Function
 from autograder.kinds.function.reading import draw_reading
-from autograder.kinds.function.reference_failures import reference_failures
+from autograder.kinds.function.reference_failures import other_counts, reference_failures
 from autograder.kinds.function.stub import function_stub, reference_source
 from autograder.kinds.function.take_snapshot import take_snapshot
 from autograder.kinds.function.trial import FunctionTrial
@@ -102,7 +102,8 @@ class FunctionKind(CodeKind[Function, FunctionAnswer]):
 
     def cells(self, question: Function, answer: FunctionAnswer, root: Path) -> tuple[str, str]:
         source = reference_source(answer, root)
-        return function_stub(source, question), source
+        where = place_of(load_object(answer.reference, root), root)
+        return function_stub(source, question, where), source
 
     def more_heading(self, question: Function) -> list[str]:
         # The widget of any other kind gives its hints one at a time.
@@ -120,7 +121,16 @@ class FunctionKind(CodeKind[Function, FunctionAnswer]):
     def unsound(
         self, question: Function, answer: FunctionAnswer, drawn: Drawn, root: Path
     ) -> Iterator[str]:
-        return reference_failures(load_object(answer.reference, root), drawn.expected)
+        yield from reference_failures(load_object(answer.reference, root), drawn.expected)
+        place = place_of(load_object(answer.cases, root), root)
+        for problem in other_counts(drawn.expected):
+            yield f"{problem} (the cases are '{answer.cases}'{place})."
+        if not any(case.get("public") for case in drawn.expected.cases):
+            yield (
+                f"no case of '{answer.cases}'{place} is "
+                "public, so students see no example of their own before they hand in; write "
+                '"public": True into one.'
+            )
 
     def response_like(self, question: Function, alternative: Alternative, drawn: Drawn) -> object:
         outcomes = {entry.name: found for entry, found in drawn.expected.mistakes}

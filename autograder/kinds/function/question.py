@@ -14,7 +14,7 @@ class Function(PointedQuestion, frozen=True, kw_only=True, tag="function"):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        check_python_name("function", self.function)
+        check_python_name("function", self.function, "function")
 
     @property
     def name(self) -> str | None:

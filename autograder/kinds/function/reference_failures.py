@@ -5,6 +5,7 @@ from __future__ import annotations
 import inspect
 from collections.abc import Callable, Iterator
 
+from autograder.kinds.function.draws import asked_in_vain
 from autograder.kinds.function.marking import Expected
 
 # What a name, an attribute or a module that is not there raises: a slip of the author's.
@@ -36,6 +37,19 @@ def reference_failures(reference: Callable[..., object], expected: Expected) -> 
         yield (
             f"the reference raises {raised[0]} in every case; add one for which it returns a value."
         )
+
+
+def other_counts(expected: Expected) -> Iterator[str]:
+    """One sentence for each way in which the reference draws otherwise than its cases ask for.
+
+    Marking asks for what the reference did, so that such a case would count nobody's draws.
+    """
+    found: dict[str, str] = {}  # by what is said: the first case
+    for case, outcome in zip(expected.cases, expected.outcomes, strict=True):
+        if "value" in outcome and (said := asked_in_vain(case, outcome)):
+            found.setdefault(said, str(case["name"]))
+    for said, name in found.items():
+        yield f"for the case {name!r} the reference {said}; correct either of them"
 
 
 def _misfit(reference: Callable[..., object], case: dict[str, object]) -> str:

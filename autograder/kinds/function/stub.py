@@ -19,8 +19,10 @@ def reference_source(answer: FunctionAnswer, root: Path) -> str:
     return textwrap.dedent(inspect.getsource(function)).strip()
 
 
-def function_stub(source: str, question: Function) -> str:
+def function_stub(source: str, question: Function, where: str = "") -> str:
     """The signature and docstring of a function, and a body that says it is not written.
+
+    ``where`` says in which file and line the function is, for the errors.
 
     Raises:
         CourseError: if the reference is no plain function of the question's name.
@@ -28,11 +30,12 @@ def function_stub(source: str, question: Function) -> str:
     definition = ast.parse(source).body[0]
     if not isinstance(definition, ast.FunctionDef) or definition.name != question.function:
         raise CourseError(
-            f"The reference of {question.id} must be a function called {question.function}."
+            f"The reference of {question.id} must be a function called {question.function}{where}."
         )
     if ast.get_docstring(definition) is None:
         raise CourseError(
-            f"The reference of {question.id} has no docstring to tell a student what to write."
+            f"The reference of {question.id} has no docstring to tell a student what to "
+            f"write{where}."
         )
     docstring = definition.body[0]
     kept = source.splitlines()[: docstring.end_lineno]

@@ -7,7 +7,7 @@ from typing import Annotated
 from msgspec import Meta
 
 from autograder.questions.question import PointedQuestion
-from autograder.questions.written import PythonName, check_python_name
+from autograder.questions.written import FieldError, PythonName, check_python_name
 
 
 class Number(PointedQuestion, frozen=True, kw_only=True, tag="number"):
@@ -28,13 +28,13 @@ class Number(PointedQuestion, frozen=True, kw_only=True, tag="number"):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        check_python_name("variable", self.variable)
+        check_python_name("variable", self.variable, "variable")
         if self.integer == (self.decimals is not None):
-            raise ValueError("say either integer = true or decimals = N")
+            raise FieldError("say either integer = true or decimals = N", "decimals")
         if self.rounding and not self.integer:
-            raise ValueError("rounding is for integer = true")
+            raise FieldError("rounding is for integer = true", "rounding")
         if self.between is not None and not self.between[0] < self.between[1]:
-            raise ValueError("the first number of between must be below the second")
+            raise FieldError("the first number of between must be below the second", "between")
 
     @property
     def name(self) -> str | None:

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from itertools import combinations
 from typing import Annotated
 
 from msgspec import Meta, field
 
 from autograder.kinds.order.question import Order
 from autograder.questions.answer import Alternative, Answer
-from autograder.questions.written import Credit, Text
+from autograder.questions.written import Credit, FieldError, Text
 
 
 class OrderAlternative(Alternative, frozen=True, kw_only=True):
@@ -30,26 +32,43 @@ class OrderAnswer(Answer, frozen=True, kw_only=True):
     alternatives: tuple[OrderAlternative, ...] = field(default=(), name="alternative")
 
 
+def alike(question: Order, answer: OrderAnswer) -> Iterator[tuple[str, str]]:
+    """Each two cards with one text that the key does not call interchangeable."""
+    texts = {id: " ".join(text.split()) for id, text in question.texts.items()}
+    for one, other in combinations(texts, 2):
+        together = any({one, other} <= {*group} for group in answer.interchangeable)
+        if texts[one] == texts[other] and not together:
+            yield one, other
+
+
 def check_order(question: Order, answer: OrderAnswer) -> None:
     """Whether a key speaks of the question's cards, and its own order is right.
 
     Raises:
         ValueError: if not.
     """
-    order, known = answer.order, answer.alternatives
+    order = answer.order
     if sorted(order) != sorted(question.start):
-        raise ValueError("order must name every card of the question once")
-    named = {name for group in answer.before + answer.interchangeable for name in group}
-    named |= {name for entry in known for name in (entry.first, entry.second)}
-    if not named <= set(order):
-        raise ValueError(f"no card has the id {sorted(named - set(order))[0]!r}")
-    for first, second in answer.before:
+        raise FieldError("order must name every card of the question once", "order")
+    for written, groups in (
+        ("before", answer.before),
+        ("interchangeable", answer.interchangeable),
+        ("alternative", [(entry.first, entry.second) for entry in answer.alternatives]),
+    ):
+        for position, group in enumerate(groups):
+            if unknown := sorted({*group} - {*order}):
+                raise FieldError(f"no card has the id {unknown[0]!r}", written, position)
+    for position, (first, second) in enumerate(answer.before):
         if order.index(first) >= order.index(second):
-            raise ValueError(f"the canonical order puts {second!r} before {first!r}")
+            raise FieldError(
+                f"the canonical order puts {second!r} before {first!r}", "before", position
+            )
     texts = question.texts
-    for group in answer.interchangeable:
+    for position, group in enumerate(answer.interchangeable):
         if len({texts[name] for name in group}) > 1:
-            raise ValueError(
+            raise FieldError(
                 f"the cards {', '.join(map(repr, group))} are called interchangeable, "
-                "but their texts differ"
+                "but their texts differ",
+                "interchangeable",
+                position,
             )

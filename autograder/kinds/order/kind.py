@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from autograder.kinds.order import response as given
-from autograder.kinds.order.answer import OrderAnswer, check_order
+from autograder.kinds.order.answer import OrderAnswer, alike, check_order
 from autograder.kinds.order.marking import is_right, mark_order, transitive_closure
 from autograder.kinds.order.question import Order
 from autograder.language import N_
@@ -85,6 +85,11 @@ class OrderKind(ChoiceKind[Order, OrderAnswer]):
             for earlier in question.start[:position]
         ):
             yield "the cards are dealt in a right order; shuffle them."
+        for one, other in alike(question, answer):
+            yield (
+                f"the cards {one!r} and {other!r} have the same text, so students cannot tell them "
+                f'apart; write interchangeable = [["{one}", "{other}"]], or other words.'
+            )
         for entry in answer.alternatives:
             if entry.first not in after.get(entry.second, ()):
                 yield (

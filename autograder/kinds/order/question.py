@@ -7,7 +7,7 @@ from typing import Annotated
 from msgspec import Meta
 
 from autograder.questions.question import PointedQuestion
-from autograder.questions.written import Text, Written
+from autograder.questions.written import FieldError, Text, Written, second_of
 
 
 class Card(Written, frozen=True):
@@ -29,8 +29,8 @@ class Order(PointedQuestion, frozen=True, kw_only=True, tag="order"):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        if len(set(self.start)) != len(self.cards):
-            raise ValueError("two cards have the same id; rename one")
+        if (twice := second_of(self.start)) is not None:
+            raise FieldError("two cards have the same id; rename one", "cards", twice)
 
     @property
     def start(self) -> tuple[str, ...]:

@@ -23,7 +23,7 @@ from msgspec import Meta, field
 from autograder.kinds.text.question import Text
 from autograder.questions import written
 from autograder.questions.answer import Answer
-from autograder.questions.written import Written
+from autograder.questions.written import FieldError, Written, second_of
 
 
 class Level(Written, frozen=True, kw_only=True):
@@ -43,12 +43,12 @@ class Criterion(Written, frozen=True, kw_only=True):
     def __post_init__(self) -> None:
         super().__post_init__()
         if len(self.levels) < 2:
-            raise ValueError("a criterion needs at least two levels")
-        if len({level.name for level in self.levels}) != len(self.levels):
-            raise ValueError("two levels have the same name")
+            raise FieldError("a criterion needs at least two levels", "levels")
+        if (twice := second_of(level.name for level in self.levels)) is not None:
+            raise FieldError("two levels have the same name", "levels", twice, "name")
         points = [level.points for level in self.levels]
         if points != sorted(points, reverse=True):
-            raise ValueError("write the levels from the most points to the fewest")
+            raise FieldError("write the levels from the most points to the fewest", "levels")
 
     def level(self, name: str) -> Level | None:
         """The level of this name."""
@@ -64,19 +64,28 @@ class TextAnswer(Answer, frozen=True, kw_only=True):
     def __post_init__(self) -> None:
         super().__post_init__()
         if self.alternatives:
-            raise ValueError("a text has no alternatives: write criteria with levels")
-        if len({criterion.name for criterion in self.rubric}) != len(self.rubric):
-            raise ValueError("two criteria have the same name")
+            raise FieldError(
+                "a text has no alternatives: write criteria with levels", "alternative"
+            )
+        if (twice := second_of(criterion.name for criterion in self.rubric)) is not None:
+            raise FieldError("two criteria have the same name", "criterion", twice, "name")
 
 
 def check_text(question: Text, answer: TextAnswer) -> None:
-    """Whether the best levels add up to the question's points.
+    """Whether the best levels add up to the question's points, and its model may be written.
 
     Raises:
         ValueError: if not.
     """
     best = sum(criterion.levels[0].points for criterion in answer.rubric)
     if abs(best - question.points) > 1e-9:
-        raise ValueError(
-            f"the best levels add up to {best:g} points, and the question has {question.points:g}"
+        raise FieldError(
+            f"the best levels add up to {best:g} points, and the question has {question.points:g}",
+            "criterion",
+        )
+    if len(answer.model) > question.longest:
+        raise FieldError(
+            f"model has {len(answer.model)} characters, and the question takes "
+            f"{question.longest}; shorten it, or let longest be more",
+            "model",
         )

@@ -5,7 +5,7 @@ from __future__ import annotations
 from msgspec import field
 
 from autograder.questions.answer import Answer
-from autograder.questions.written import Text, Written
+from autograder.questions.written import FieldError, Text, Written
 
 
 class Statement(Written, frozen=True, kw_only=True):
@@ -29,4 +29,4 @@ class TrueFalseAnswer(Answer, frozen=True, kw_only=True):
     def __post_init__(self) -> None:
         super().__post_init__()
         if self.alternatives:
-            raise ValueError("put what is wrong into each statement's misconception")
+            raise FieldError("put what is wrong into each statement's misconception", "alternative")

@@ -12,6 +12,7 @@ from autograder.kinds.true_false.question import TrueFalse
 from autograder.language import _
 from autograder.questions.choice import ChoiceKind
 from autograder.questions.mark import Mark
+from autograder.questions.written import FieldError
 
 if TYPE_CHECKING:
     from autograder.kinds.true_false.widget import TrueFalseWidget
@@ -29,9 +30,10 @@ class TrueFalseKind(ChoiceKind[TrueFalse, TrueFalseAnswer]):
 
     def check_answer(self, question: TrueFalse, answer: TrueFalseAnswer) -> None:
         if len(answer.statements) != len(question.statements):
-            raise ValueError(
+            raise FieldError(
                 f"there are {len(answer.statements)} statements, "
-                f"but the question asks {len(question.statements)}"
+                f"but the question asks {len(question.statements)}",
+                "statement",
             )
 
     def fits(self, question: TrueFalse, response: object) -> bool:

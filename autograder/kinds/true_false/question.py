@@ -7,7 +7,7 @@ from typing import Annotated, ClassVar
 from msgspec import Meta
 
 from autograder.questions.question import Question
-from autograder.questions.written import Text
+from autograder.questions.written import FieldError, Text, second_of
 
 
 class TrueFalse(Question, frozen=True, kw_only=True, tag="true_false"):
@@ -20,6 +20,11 @@ class TrueFalse(Question, frozen=True, kw_only=True, tag="true_false"):
         tuple[tuple[int, ...], ...],
         Meta(description="which statements a student may get, by number; the sheet's first"),
     ] = ()
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if (twice := second_of(self.statements)) is not None:
+            raise FieldError("this statement stands there already", "statements", twice)
 
     @property
     def points(self) -> float:

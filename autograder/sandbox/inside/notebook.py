@@ -106,8 +106,9 @@ class Notebook:
         return evaluate(self._shell.user_ns[name], probe)
 
     def holds_plain_value(self, name: str) -> bool:
-        """Whether evaluating the response runs no code of the student: it is a built-in number, or
-        an expression that sympy made.
+        """Whether evaluating the response runs no code of the student.
+
+        Then it is a built-in number, or an expression that sympy made.
         """
         value = self._shell.user_ns.get(name)
         return type(value) in _PLAIN or ("sympy" in sys.modules and is_plain(value))

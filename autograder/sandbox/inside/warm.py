@@ -98,8 +98,9 @@ def _course_modules() -> Iterator[str]:
 
 
 def _asks_in_its_notebooks() -> bool:
-    """Whether notebooks begin with importing `ask`: those that are built from masters do, though
-    it is not written in a master itself.
+    """Whether notebooks begin with importing `ask`.
+
+    Those that are built from masters do, though it is not written in a master itself.
     """
     return any(Path(os.environ.get("AUTOGRADER_COURSE", "."), "notebooks/source").glob("*.py"))
 

@@ -61,7 +61,10 @@ def split_and_merge_all(
     """Return the walls in all scans; `ranges` is (M, B) in metres, `angles` (B,) in radians.
 
     The angles have to ascend. Beams without an echo (not finite, not positive, at the maximum
-    range) are left out. Raises ValueError for arrays of other shapes, or other angles.
+    range) are left out.
+
+    Raises:
+        ValueError: for arrays of other shapes, or other angles.
     """
     settings = settings or Settings()
     ranges, angles = as_ranges(ranges), np.asarray(angles, dtype=float)

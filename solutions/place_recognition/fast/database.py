@@ -37,7 +37,9 @@ class ImageDatabase:
         """Add a model image: link each of its words to it.
 
         An image without descriptors (None, as OpenCV gives) is added, and never a candidate.
-        Raises ValueError if there is an image of this name already.
+
+        Raises:
+            ValueError: if there is an image of this name already.
         """
         if name in self._known:
             raise ValueError(f"There is an image named {name!r} already: choose another name.")
@@ -78,7 +80,8 @@ class ImageDatabase:
     def load(cls, path: str | Path, tree: VocabularyTree) -> Self:
         """Read what `save` wrote, for the same tree.
 
-        Raises ValueError if the file holds something else, or belongs to another tree.
+        Raises:
+            ValueError: if the file holds something else, or belongs to another tree.
         """
         stored = read_arrays(path, "an image database", "names", "tree", "word_count")
         database = cls(tree)

@@ -17,7 +17,9 @@ def read_arrays(path: str | Path, what: str, *needed: str) -> dict[str, np.ndarr
 
     They are of any shape; whoever needs them looks at it.
 
-    Raises FileNotFoundError, or ValueError with the file's name if it cannot be that.
+    Raises:
+        FileNotFoundError: if there is no such file.
+        ValueError: with the file's name, if it cannot be that.
     """
     try:
         with np.load(path, allow_pickle=False) as stored:

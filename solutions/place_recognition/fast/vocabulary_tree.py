@@ -61,8 +61,10 @@ class VocabularyTree:
         """Learn the words from the descriptors of a large collection of images.
 
         Each node's descriptors are divided by k-means; where there are very many, a sample of
-        them decides. Raises ValueError for descriptors that are none; the tree then stays as
-        it was.
+        them decides.
+
+        Raises:
+            ValueError: for descriptors that are none; the tree then stays as it was.
         """
         points = _as_points(descriptors)
         descriptors = np.asarray(descriptors)
@@ -93,7 +95,9 @@ class VocabularyTree:
         """Return the word of each descriptor: (N,) integers below `word_count`.
 
         None, which OpenCV gives for an image without features, counts as no descriptors.
-        Raises ValueError if the tree was not fitted, or to other descriptors.
+
+        Raises:
+            ValueError: if the tree was not fitted, or to other descriptors.
         """
         self._check_fitted()
         if descriptors is None or len(descriptors) == 0:
@@ -131,7 +135,8 @@ class VocabularyTree:
     def save(self, path: str | Path) -> None:
         """Write the tree to an npz file, which holds nothing but arrays.
 
-        Raises ValueError if the tree was not fitted.
+        Raises:
+            ValueError: if the tree was not fitted.
         """
         self._check_fitted()
         levels = {f"level_{i}": level for i, level in enumerate(self.levels)}
@@ -139,7 +144,11 @@ class VocabularyTree:
 
     @classmethod
     def load(cls, path: str | Path) -> Self:
-        """Read a tree that `save` wrote. Raises ValueError if the file holds something else."""
+        """Read a tree that `save` wrote.
+
+        Raises:
+            ValueError: if the file holds something else.
+        """
         stored = read_arrays(path, "a vocabulary tree", "binary", "level_0")
         names = [f"level_{i}" for i in range(len(stored) - 1)]
         levels = [stored[name] for name in names if name in stored]

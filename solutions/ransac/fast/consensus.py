@@ -73,8 +73,9 @@ def ransac_line(
     because all points are equal, say; or that the points that agree with the best one fix no
     line, because they are as wide as long.
 
-    Raises ValueError for fewer than two points, coordinates that are not finite, a threshold
-    that is not positive, or iterations that are not a whole number of at least 1.
+    Raises:
+        ValueError: for fewer than two points, coordinates that are not finite, a threshold that
+            is not positive, or iterations that are not a whole number of at least 1.
     """
     kind = _Kind(2, _lines_through, fit_line, distances)
     return _ransac(kind, points, threshold, iterations, rng, confidence)

@@ -45,7 +45,9 @@ def _counted(name: str) -> Callable[..., object]:
         finally:
             self._depth -= 1
         # `shuffle` returns nothing and changes its argument.
-        self.drawn = before + np.size(args[0] if numbers is None and args else numbers)
+        given = args[0] if numbers is None and args else numbers
+        # Slow functions of NumPy only where they are needed: samples are drawn by the ten thousand.
+        self.drawn = before + (given.size if isinstance(given, np.ndarray) else np.size(given))
         if not self._depth:
             self._calls[_size_of_sample(*args, **kwargs) if name == "choice" else 0] += 1
         return numbers
@@ -58,7 +60,9 @@ def _size_of_sample(
     _: Value, size: Value = None, replace: bool = True, *__: Value, **___: Value
 ) -> int:
     """How many different entries one call of ``choice`` gives; 0 if they may be equal."""
-    return 0 if replace or size is None else int(np.prod(size))
+    if replace or size is None:
+        return 0
+    return size if isinstance(size, int) else int(np.prod(size))
 
 
 for _name in vars(np.random.Generator):

@@ -1,12 +1,13 @@
-"""A small course whose questions have variants, in a folder of its own."""
+"""The kitchen with three questions of each student's own numbers."""
 
 from __future__ import annotations
 
 from pathlib import Path
 
-from tiny_course import TinyCourse, make_tiny_course
+from tests.toy import Toy, make_toy
 
 QUESTIONS = """
+
 [story.market]
 boxes = [3, 5, 7, 11]
 price = {sheet = 0.5, from = 0.1, to = 0.4, step = 0.1}
@@ -63,10 +64,6 @@ alternative = [{name = "right", credit = 1, value = "m/2"}]
 """
 
 
-def make_market(root: Path) -> TinyCourse:
-    """The tiny course, with three questions of each student's own numbers."""
-    course = make_tiny_course(root)
-    course.append("notebooks/questions/kitchen.toml", QUESTIONS.replace("[story", "\n[story", 1))
-    course.append("solutions/answers/kitchen.toml", ANSWERS)
-    course.replace("pyproject.toml", "[tool.autograder]", '[tool.autograder]\nvariants = "student"')
-    return course
+def make_market(root: Path) -> Toy:
+    """The toy course, where students have numbers of their own."""
+    return make_toy(root).add("kitchen", QUESTIONS, ANSWERS).set('variants = "student"')

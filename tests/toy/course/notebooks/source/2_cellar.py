@@ -1,0 +1,7 @@
+# %% [markdown]
+# # The cellar
+
+# %%
+from autograder import ask, check, progress, submit
+
+# %% exercise="Q2.1"
