@@ -11,7 +11,11 @@ def main() -> int:
     # Marking multiplies nothing large: more threads would only wait, and keep a processor busy.
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     gc.disable()  # what is imported stays: looking through it for garbage is for nothing
-    from autograder import cli
+    try:
+        from autograder import cli
+    except KeyboardInterrupt:  # nothing has begun yet
+        print("autograder: stopped; run it again to go on.", file=sys.stderr)
+        return 130
 
     gc.freeze()
     gc.enable()

@@ -53,6 +53,17 @@ def marks(path: Path) -> list[tuple[object, ...]]:
         return sorted(db.execute(f"SELECT {', '.join(kept)} FROM mark"), key=repr)
 
 
+def has_marks(path: Path) -> bool:
+    """Whether somebody has been graded, so that a run is in the midst of it."""
+    if not path.exists():
+        return False
+    try:
+        with closing(sqlite3.connect(path)) as db:
+            return bool(db.execute("SELECT count(*) FROM mark").fetchone()[0])
+    except sqlite3.OperationalError:  # its tables are being made
+        return False
+
+
 def is_running(process: int) -> bool:
     try:
         return Path(f"/proc/{process}/stat").read_bytes().rpartition(b")")[2].split()[0] != b"Z"
@@ -104,11 +115,11 @@ def test_what_was_graded_is_not_run_again(root, uninterrupted):
 
 
 def test_ctrl_c_stops_at_once_and_says_how_to_go_on(root):
-    process = start(root, "interrupted")
+    out = f"interrupted-{time.monotonic_ns()}"  # of its own, should this test run again
+    process = start(root, out)
     deadline = time.monotonic() + 60
-    while not (root / "interrupted/gradebook.db").exists() and time.monotonic() < deadline:
+    while not has_marks(root / out / "gradebook.db") and time.monotonic() < deadline:
         time.sleep(0.02)
-    time.sleep(0.2)  # in the midst of it, but before the whole class is graded
     below = descendants(process.pid)
     os.kill(process.pid, signal.SIGINT)
     began = time.monotonic()
@@ -116,11 +127,31 @@ def test_ctrl_c_stops_at_once_and_says_how_to_go_on(root):
     assert process.returncode == 130
     assert "run it again" in said
     graded = int(said.split("Stopped: ")[1].split(" of ")[0]) if "Stopped: " in said else 0
-    pages = list((root / "interrupted/feedback").glob("*.html"))
+    pages = list((root / out / "feedback").glob("*.html"))
     assert len(pages) >= graded
     assert "Traceback" not in said
     assert time.monotonic() - began < 10
     assert wait_until_gone(below) == []
+
+
+def test_ctrl_c_while_it_starts_is_no_traceback(root):
+    # With `-X importtime` each import is told as it happens.
+    process = subprocess.Popen(
+        [sys.executable, "-X", "importtime", "-m", "autograder", "grade", "work"],
+        cwd=root,
+        stderr=subprocess.PIPE,
+        text=True,
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.default_int_handler),
+    )
+    assert process.stderr is not None
+    for line in process.stderr:
+        if "autograder.cli" in line:  # one of those that its own import needs
+            break
+    os.kill(process.pid, signal.SIGINT)
+    _, said = process.communicate(timeout=30)
+    assert process.returncode == 130
+    assert "Traceback" not in said
+    assert "autograder: stopped" in said
 
 
 def test_the_same_submissions_and_seed_give_the_same_marks_though_they_use_chance(
