@@ -24,10 +24,10 @@ from autograder.errors import CourseError
 from autograder.gradebook import ClassView, Gradebook, Record, Run, view_class
 from autograder.grading.graded import Graded
 from autograder.grading.journal import Journal
+from autograder.grading.numbers_of_others import compare_numbers
 from autograder.grading.spread import Spread
 from autograder.grading.threads import Threads
 from autograder.grading.whole_class import grade_class
-from autograder.grading.whose_numbers import compare_numbers
 from autograder.intake.long_list import LongList
 from autograder.intake.submissions import Submission
 from autograder.intake.summary import Summary

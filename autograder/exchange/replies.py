@@ -10,8 +10,8 @@ import numpy as np
 
 from autograder.exchange.messages import Evaluation, Message, Outcome, Report, Told
 from autograder.exchange.printable import printable
-from autograder.exchange.reasons import REASONS
 from autograder.exchange.responses import keep_response
+from autograder.exchange.why_unusable import REASONS
 
 _CLASS_NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]{0,60}")
 _MAX_TEXT = 200

@@ -12,11 +12,12 @@ from autograder.course import Chapter, Course
 from autograder.course.questions import Question
 from autograder.exchange.exception_text import in_words
 from autograder.exchange.messages import Evaluation, Message, Outcome, Told
-from autograder.exchange.reasons import REASONS
 from autograder.exchange.replies import NOT_PLAIN
+from autograder.exchange.why_unusable import REASONS
 from autograder.grading.own_exceptions import defining_cell, import_notes, shown_code
+from autograder.grading.stop_sentences import notebook_stopped, response_stopped
 from autograder.intake.submissions import Contents
-from autograder.language import N_, _
+from autograder.language import _
 from autograder.marking import Mark, not_attempted, stopped
 from autograder.marking.marker import Marker
 from autograder.questions.drawn import Drawn
@@ -146,7 +147,7 @@ def _mark_without_asking(question: Question, work: _Work, ran: _Ran, marker: Mar
     if work.is_missing and question.id not in work.typed:
         return not_attempted(question, _("Its notebook was not handed in."))
     if ran.failure is not None:
-        return stopped(question, ran.failure.status, _notebook_stopped(ran.failure))
+        return stopped(question, ran.failure.status, notebook_stopped(ran.failure))
     return not_attempted(question) if is_choice else None
 
 
@@ -169,7 +170,7 @@ def _mark_named(
     try:
         response = _ask(question.name, session, marker.drawn(question.id), opening)
     except Stopped as stop:
-        return stopped(question, stop.status, _response_stopped(stop))
+        return stopped(question, stop.status, response_stopped(stop))
     reason = response.get("reason")
     missing = isinstance(reason, str) and reason == "missing"
     defining = defining_cell(question.name, work.cells) if missing else None
@@ -279,24 +280,6 @@ def _with_code(mark: Mark, question: Question, work: _Work, said: dict[str, _Exa
         seen = _("On the example that you can see, {reason}.").format(reason=example.reason)
         feedback = f"{feedback} {seen}"
     return replace(mark, code=code, told=mark.told or example.told, feedback=feedback)
-
-
-def _notebook_stopped(stop: Stopped) -> str:
-    if stop.status == "timeout":
-        if not stop.why:
-            return _("Running the notebook took longer than the time limit.")
-        sentence = _("Running the notebook took longer than the time limit: {why}.")
-        return sentence.format(why=_(stop.why))
-    why = _(stop.why or N_("too much memory, a crash, or an exit"))
-    return _("The notebook's process ended while it ran: {why}.").format(why=why)
-
-
-def _response_stopped(stop: Stopped) -> str:
-    if stop.status == "timeout" and stop.why:
-        return _("It took longer than the time limit: {why}.").format(why=_(stop.why))
-    if not stop.why:
-        return ""
-    return _("The process that ran it was ended: {why}.").format(why=_(stop.why))
 
 
 def _line(value: object) -> str:

@@ -14,7 +14,7 @@ from autograder.course import Course
 from autograder.course.questions import Question
 from autograder.errors import CourseError
 from autograder.exchange.messages import Message
-from autograder.exchange.reasons import REASONS, UNREAD
+from autograder.exchange.why_unusable import REASONS, UNREAD
 from autograder.language import _
 from autograder.questions.mark import Mark, not_attempted, stopped
 from autograder.questions.pack import unpack

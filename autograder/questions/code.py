@@ -8,7 +8,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from autograder.errors import CourseError
-from autograder.exchange.reasons import REASONS, UNREAD
+from autograder.exchange.why_unusable import REASONS, UNREAD
 from autograder.language import _
 from autograder.questions.drawn import Drawn
 from autograder.questions.exercise import Exercise, heading

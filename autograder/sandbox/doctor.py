@@ -35,7 +35,7 @@ def run_doctor(course: Course) -> list[Finding]:
                 "Grade in WSL or in a Linux container, or --no-sandbox for submissions you trust.",
             )
         ]
-    from autograder.sandbox.machine_limits import require_room
+    from autograder.sandbox.machine_allows import require_room
     from autograder.sandbox.tiers import tiers
 
     findings = _parts()

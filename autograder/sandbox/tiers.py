@@ -16,7 +16,7 @@ from autograder.exchange.wire import WireError
 from autograder.sandbox import bubblewrap, landlock, seccomp
 from autograder.sandbox.failure import SandboxError
 from autograder.sandbox.host import Host, HostError, limits
-from autograder.sandbox.machine_limits import require_room
+from autograder.sandbox.machine_allows import require_room
 from autograder.sandbox.own_folder import OwnFolder
 
 _TRIAL_PROCESSES = 6

@@ -93,9 +93,9 @@ def test_no_translation_is_left_of_a_sentence_that_is_gone(path: Path):
 
 # Where a sentence may reach a student, and the modules there that speak to authors only.
 ROOMS = ("student", "questions", "kinds", "marking", "diagnosis", "grading/chapter.py",
-         "grading/own_exceptions.py", "exchange/reasons.py", "gradebook/scheme.py",
+         "grading/own_exceptions.py", "exchange/why_unusable.py", "gradebook/scheme.py",
          "sandbox/stopped.py", "reports/feedback_html.py", "course/predictions.py",
-         "grading/whose_numbers.py", "intake/notebook_reader.py", "intake/archive.py",
+         "grading/numbers_of_others.py", "intake/notebook_reader.py", "intake/archive.py",
          "intake/handed_in.py", "intake/kept_files.py")  # fmt: skip
 OF_AUTHORS = {"answer.py", "question.py", "trial.py", "promises.py", "sensible.py", "stub.py",
               "expected.py", "strict.py", "toml_lines.py", "written.py", "registry.py",

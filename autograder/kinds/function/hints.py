@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from autograder.exchange.messages import Values
-from autograder.exchange.reasons import REASONS
+from autograder.exchange.why_unusable import REASONS
 from autograder.kinds.function.draws import other_draws, other_samples
 from autograder.kinds.function.question import Function
 from autograder.language import _

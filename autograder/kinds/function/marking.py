@@ -13,7 +13,7 @@ import numpy as np
 
 from autograder.diagnosis.relations import Diagnosis
 from autograder.exchange.messages import Value
-from autograder.exchange.reasons import REASONS
+from autograder.exchange.why_unusable import REASONS
 from autograder.kinds.function.answer import FunctionAlternative, FunctionAnswer
 from autograder.kinds.function.credit import partial_credit
 from autograder.kinds.function.diagnosis import diagnose_function

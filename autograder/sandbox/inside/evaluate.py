@@ -5,7 +5,7 @@ answer. What comes back is one of::
 
     {"state": "not attempted"}
     {"state": "given", ...}             value, values or outcomes
-    {"state": "unusable", "reason": ..} one of `autograder.exchange.reasons.REASONS`
+    {"state": "unusable", "reason": ..} one of `autograder.exchange.why_unusable.REASONS`
     {"state": "raised", "error": ..}    the class of the exception, and its text only ("told")
                                         where the probe says that nothing in it is hidden
 

@@ -18,7 +18,7 @@ _MOST_NODES = 2000
 class Unusable(Exception):
     """A response that cannot be turned into plain data.
 
-    The argument is one of `autograder.exchange.reasons.REASONS`.
+    The argument is one of `autograder.exchange.why_unusable.REASONS`.
     """
 
 
