@@ -344,13 +344,15 @@ def main() -> int:
             for command in grader.prepare:
                 grader.run(command, folder / grader.name)
         write_course(folder / "one", 1)
-        alone = median([own().time(folder / "one", folder / "copy", 1) for _ in range(3)])
-        print(f"a class of one: {alone.cpu:.2f} CPU-s, {alone.wall:.2f} s", file=sys.stderr)
+        one = own()  # takes turns as well: the machine may be slower at one time than at another
         large = large_class_text(folder, arguments.large) if arguments.large else ""
         anew = "" if arguments.own else otter_anew(graders[-1], folder / graders[-1].name)
         whole = whole_class_text(graders, folder, arguments.whole) if arguments.whole else ""
         texts = (anew, profile_text(folder, students), whole, large)
         for round in range(1, arguments.rounds + 1):
+            one.costs.append(one.time(folder / "one", folder / "copy", 1))
+            alone = median(one.costs)
+            print(f"a class of one: {alone.cpu:.2f} CPU-s, {alone.wall:.2f} s", file=sys.stderr)
             for grader in graders:
                 cost = grader.time(folder / grader.name, folder / "copy", students)
                 grader.costs.append(cost)
