@@ -136,9 +136,9 @@ def test_ctrl_c_stops_at_once_and_says_how_to_go_on(root):
 
 def test_ctrl_c_while_it_starts_is_no_traceback(root):
     # With `-X importtime` each import is told as it happens.
+    program = [sys.executable, "-X", "importtime", "-m", "autograder"]
     process = subprocess.Popen(
-        [sys.executable, "-X", "importtime", "-m", "autograder", "--course", "course"]
-        + ["grade", "work", "--out", "at-once"],
+        [*program, "--course", "course", "grade", "work", "--out", "at-once"],
         cwd=root,
         stderr=subprocess.PIPE,
         text=True,
