@@ -28,8 +28,8 @@ from typing import Any
 
 import autograder.cli.grading_run as grading_run
 from autograder.cli import main as autograder
-from autograder.cli.tally import Tally
-from autograder.grading.graded import Graded, same_mark_for_all
+from autograder.cli.run_tally import Tally
+from autograder.grading.graded_submission import Graded, same_mark_for_all
 from autograder.grading.spread import Task
 from autograder.grading.whole_class import grade_class
 from autograder.marking.marker import Marker

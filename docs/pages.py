@@ -18,7 +18,7 @@ import nbformat
 from nbclient import NotebookClient
 
 from autograder.authoring.build import START_ID
-from autograder.authoring.executed import surroundings
+from autograder.authoring.executed_notebooks import surroundings
 from autograder.authoring.masters import Master, read_masters
 from autograder.cli import parser
 from autograder.course import Course, load_course

@@ -11,7 +11,7 @@ from typing import Any
 
 from autograder.course import Course, load_course
 from autograder.gradebook import Gradebook
-from autograder.grading.graded import Graded
+from autograder.grading.graded_submission import Graded
 from autograder.intake.submissions import Submission
 from autograder.marking import Mark, Part
 from tests.toy import make_toy

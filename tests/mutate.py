@@ -24,7 +24,7 @@ from typing import Any, TextIO
 
 import pytest
 
-from autograder.mutants.edits import edited
+from autograder.mutants.code_edits import edited
 from autograder.mutants.mutant import Mutant
 
 ROOT = Path(__file__).parent.parent

@@ -93,7 +93,7 @@ TRUSTED = [
 ]
 # Makes mutants of the course's own functions, from the course's own files; nothing of a student's
 # ever reaches it.
-COMPILES_THE_COURSE = ROOT / "autograder/mutants/clones.py"
+COMPILES_THE_COURSE = ROOT / "autograder/mutants/changed_functions.py"
 RUNS_TEXT = {"eval", "exec", "compile", "execfile", "sympify", "parse_expr", "run_cell", "S"}
 UNPICKLES = {"pickle", "cPickle", "dill", "cloudpickle", "joblib", "shelve", "marshal"}
 

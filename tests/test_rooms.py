@@ -100,9 +100,9 @@ def test_what_runs_beside_the_student_imports_nothing_that_knows_the_key():
         for name in imported(path):
             if not name.startswith("autograder."):
                 continue
-            itself = ".inside" in name or name == "autograder.questions.typed"
+            itself = ".inside" in name or name == "autograder.questions.typed_text"
             asked = ".question." in name or name == "autograder.course.load_course"
-            parser = name.startswith("autograder.questions.typed.")
+            parser = name.startswith("autograder.questions.typed_text.")
             assert room_of(name) in allowed or itself or asked or parser, (module, name)
 
 

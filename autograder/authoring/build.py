@@ -20,10 +20,10 @@ from nbclient.exceptions import CellExecutionError
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
 
 from autograder import __all__
-from autograder.authoring.at_key import with_line
-from autograder.authoring.executed import Executed
+from autograder.authoring.executed_notebooks import Executed
+from autograder.authoring.line_in_key import with_line
 from autograder.authoring.masters import Master, MasterCell, read_masters
-from autograder.authoring.raised import raised
+from autograder.authoring.raising_cells import raised
 from autograder.course import DEMO, Course
 from autograder.course.folders import NOTEBOOKS, SOLVED, cell_id
 from autograder.errors import CourseError

@@ -12,7 +12,7 @@ import jupytext
 from autograder.course import Chapter, Course
 from autograder.course.folders import MASTERS, SOLUTIONS
 from autograder.errors import CourseError, UsageError
-from autograder.questions.strict import nearest
+from autograder.questions.strict_reader import nearest
 
 _CALL = re.compile(r"(?<![\w.])(\w+)\(")
 _TELLS = re.compile(r"""(?<![\w.])numbers\(\s*["']([^"']*)["']""")

@@ -16,7 +16,7 @@ from string import Template
 from urllib.parse import unquote, urlparse
 
 from autograder import __version__
-from autograder.authoring.pyproject import ENGINE
+from autograder.authoring.bundle_pyproject import ENGINE
 from autograder.authoring.schema import schema_files
 from autograder.course import Course
 from autograder.course.folders import ANSWERS, MASTERS, QUESTIONS

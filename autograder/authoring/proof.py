@@ -15,8 +15,8 @@ import re
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
-from autograder.authoring.at_key import with_line
 from autograder.authoring.build import build_student_notebooks, unexecuted_solved_notebooks
+from autograder.authoring.line_in_key import with_line
 from autograder.authoring.proof_by_mutants import prove_by_mutants, untested_promises
 from autograder.authoring.proof_for_students import prove_for_students
 from autograder.authoring.proof_of_texts import prove_texts

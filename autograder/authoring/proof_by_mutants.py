@@ -5,9 +5,9 @@ from __future__ import annotations
 import json
 from collections.abc import Callable, Iterator
 
-from autograder.authoring.at_key import with_line
-from autograder.authoring.findings import Findings, Survivor
-from autograder.authoring.mutation import try_all
+from autograder.authoring.kept_findings import Findings, Survivor
+from autograder.authoring.line_in_key import with_line
+from autograder.authoring.try_mutants import try_all
 from autograder.course import Course
 from autograder.course.questions import Question
 from autograder.course.right_work import (

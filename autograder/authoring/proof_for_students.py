@@ -17,10 +17,10 @@ from autograder.course import Course
 from autograder.course.folders import ANSWERS
 from autograder.course.questions import Question, Written
 from autograder.questions.answer import Answer
+from autograder.questions.author_tables import second_of
 from autograder.questions.registry import kind_of
-from autograder.questions.strict import Place
+from autograder.questions.strict_reader import Place
 from autograder.questions.toml_lines import Path
-from autograder.questions.written import second_of
 
 _BLANKS = re.compile(r"\s+")
 _PARTS = re.compile(r"\w+|\*\*|\S")  # of a formula

@@ -14,8 +14,8 @@ from autograder.course import Course, load_course
 from autograder.course.questions import Question
 from autograder.course.right_work import right_work_of
 from autograder.marking.draw import draw, random_numbers
-from autograder.mutants.limit import time_limit
 from autograder.mutants.mutant import OutOfTime, Trial
+from autograder.mutants.time_limit import time_limit
 from autograder.questions.answer import Answer
 from autograder.questions.drawn import Drawn
 from autograder.questions.registry import kind_of

@@ -13,12 +13,12 @@ from collections.abc import Collection, Iterator
 from msgspec.structs import asdict
 
 from autograder.course import Course
-from autograder.course.filling import KEPT
 from autograder.course.folders import ANSWERS, QUESTIONS
+from autograder.course.placeholders import KEPT
 from autograder.course.questions import Written
 from autograder.course.selections import FIELD
-from autograder.questions.formula import CONSTANTS, FUNCTIONS
-from autograder.questions.strict import Place, nearest
+from autograder.questions.key_formulas import CONSTANTS, FUNCTIONS
+from autograder.questions.strict_reader import Place, nearest
 from autograder.questions.toml_lines import Path
 
 _MATH = re.compile(r"\$\$.*?\$\$|\$[^$]{0,400}\$", re.DOTALL)

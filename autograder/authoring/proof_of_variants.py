@@ -14,9 +14,9 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from autograder.authoring.at_key import with_line
+from autograder.authoring.line_in_key import with_line
 from autograder.course import Course
-from autograder.course.filling import value_of
+from autograder.course.placeholders import value_of
 from autograder.course.questions import Question
 from autograder.errors import CourseError
 from autograder.marking.draw import draw

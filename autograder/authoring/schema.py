@@ -15,10 +15,10 @@ import msgspec
 from autograder.course.folders import ANSWERS, QUESTIONS
 from autograder.course.predictions import Prediction
 from autograder.course.settings import WrittenSettings
-from autograder.gradebook.read_scheme import WrittenScheme
-from autograder.intake.written_class import WrittenClass
+from autograder.gradebook.read_grading_toml import WrittenScheme
+from autograder.intake.class_list_tables import WrittenClass
+from autograder.questions.author_tables import Written
 from autograder.questions.registry import kind_named, kind_names
-from autograder.questions.written import Written
 
 FOLDER = ".schemas"
 

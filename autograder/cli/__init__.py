@@ -40,8 +40,8 @@ from autograder.cli import (
     similar,
     watch,
 )
-from autograder.cli.extras import missing_extra
-from autograder.cli.status import BROKEN, DONE, INTERRUPTED, WRONG_USAGE
+from autograder.cli.exit_status import BROKEN, DONE, INTERRUPTED, WRONG_USAGE
+from autograder.cli.missing_extras import missing_extra
 from autograder.errors import AutograderError, UsageError, machine_error
 from autograder.reports.plain_text import make_plain
 

@@ -6,8 +6,8 @@ import argparse
 
 from rich.console import Console
 
-from autograder.cli.common import Commands, load
-from autograder.cli.status import BROKEN, DONE
+from autograder.cli.exit_status import BROKEN, DONE
+from autograder.cli.shared_arguments import Commands, load
 
 
 def add(commands: Commands) -> None:

@@ -7,8 +7,8 @@ from pathlib import Path
 
 from rich.console import Console
 
-from autograder.cli.common import Commands, load
-from autograder.cli.status import BROKEN, DONE
+from autograder.cli.exit_status import BROKEN, DONE
+from autograder.cli.shared_arguments import Commands, load
 from autograder.course import Settings
 from autograder.errors import AutograderError, CourseError
 

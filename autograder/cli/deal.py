@@ -7,8 +7,8 @@ from pathlib import Path
 
 from rich.console import Console
 
-from autograder.cli.common import Commands, load
-from autograder.cli.status import DONE
+from autograder.cli.exit_status import DONE
+from autograder.cli.shared_arguments import Commands, load
 from autograder.errors import UsageError
 
 
@@ -37,7 +37,7 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
     """Write places.toml, and say whose numbers are left to chance."""
     from autograder.course.places import FILE, make_places
     from autograder.intake.class_list import read_class_lists
-    from autograder.intake.seats import seats
+    from autograder.intake.class_list_places import seats
     from autograder.reports.terminal import printable, warn
 
     course = load(parsed)

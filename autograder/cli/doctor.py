@@ -8,8 +8,8 @@ from pathlib import Path
 
 from rich.console import Console
 
-from autograder.cli.common import Commands, load
-from autograder.cli.status import BROKEN, DONE
+from autograder.cli.exit_status import BROKEN, DONE
+from autograder.cli.shared_arguments import Commands, load
 from autograder.course import Course, Settings
 from autograder.errors import CourseError
 

@@ -7,7 +7,8 @@ from pathlib import Path
 
 from rich.console import Console
 
-from autograder.cli.common import (
+from autograder.cli.exit_status import DONE
+from autograder.cli.shared_arguments import (
     Commands,
     add_class_list,
     add_out,
@@ -15,7 +16,6 @@ from autograder.cli.common import (
     load,
     use_class_list,
 )
-from autograder.cli.status import DONE
 from autograder.errors import UsageError
 
 FORMATS = ("csv", "canvas", "moodle", "gradescope")
@@ -41,7 +41,7 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
     from autograder.gradebook import Gradebook, view_class
     from autograder.gradebook.record import names_of
     from autograder.reports import exports
-    from autograder.reports.stale import require_current
+    from autograder.reports.stale_marks import require_current
     from autograder.reports.terminal import warn
 
     course = load(parsed)

@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING
 
 from rich.console import Console
 
-from autograder.cli.common import (
+from autograder.cli.exit_status import BROKEN, DONE
+from autograder.cli.shared_arguments import (
     Commands,
     add_class_list,
     add_out,
@@ -18,7 +19,6 @@ from autograder.cli.common import (
     load,
     use_class_list,
 )
-from autograder.cli.status import BROKEN, DONE
 from autograder.errors import UsageError
 
 if TYPE_CHECKING:
@@ -69,7 +69,7 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
     from autograder.gradebook import Gradebook, find_record, view_class
     from autograder.reports import returning
     from autograder.reports.feedback_html import feedback_html
-    from autograder.reports.stale import require_current
+    from autograder.reports.stale_marks import require_current
     from autograder.reports.terminal import warn
     from autograder.reports.write import feedback_of
 

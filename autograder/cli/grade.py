@@ -7,7 +7,7 @@ from pathlib import Path
 
 from rich.console import Console
 
-from autograder.cli.common import (
+from autograder.cli.shared_arguments import (
     Commands,
     add_grading,
     add_layout,
@@ -42,8 +42,8 @@ def add(commands: Commands) -> None:
 def run(parsed: argparse.Namespace, console: Console) -> int:
     """Grade what is at the paths; what was graded before with the same key is not run again."""
     from autograder.cli.grading_run import grade_and_report
+    from autograder.cli.run_options import grading_wanted, intake_wanted
     from autograder.cli.shared_intake import take_in_paths
-    from autograder.cli.wanted import grading_wanted, intake_wanted
     from autograder.gradebook import Gradebook
 
     course = load(parsed)

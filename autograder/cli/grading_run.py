@@ -15,26 +15,26 @@ from pathlib import Path
 
 from rich.console import Console
 
-from autograder.cli.common import print_json
-from autograder.cli.status import BROKEN, DONE, INTERRUPTED
-from autograder.cli.tally import Tally
-from autograder.cli.wanted import GradingWanted
+from autograder.cli.exit_status import BROKEN, DONE, INTERRUPTED
+from autograder.cli.run_options import GradingWanted
+from autograder.cli.run_tally import Tally
+from autograder.cli.shared_arguments import print_json
 from autograder.course import Course
 from autograder.errors import CourseError
 from autograder.gradebook import ClassView, Gradebook, Record, Run, view_class
-from autograder.grading.graded import Graded
+from autograder.grading.graded_submission import Graded
 from autograder.grading.journal import Journal
 from autograder.grading.numbers_of_others import compare_numbers
 from autograder.grading.spread import Spread
 from autograder.grading.threads import Threads
 from autograder.grading.whole_class import grade_class
 from autograder.intake.long_list import LongList
+from autograder.intake.submission_times import changed_since, snapshot_class
 from autograder.intake.submissions import Submission
 from autograder.intake.summary import Summary
-from autograder.intake.times import changed_since, snapshot_class
 from autograder.language import _, n_
 from autograder.marking.marker import Marker
-from autograder.reports.machine import change_fields, record_fields
+from autograder.reports.json_output import change_fields, record_fields
 from autograder.reports.pictures import Pictures
 from autograder.reports.terminal import print_changes, print_table, progress_bar, warn
 from autograder.reports.write import Options, write_reports
@@ -158,7 +158,7 @@ def _tell_github(
     console: Console, course: Course, summary: Summary, records: Sequence[Record]
 ) -> None:
     """Add to the job's summary, and print the remarks that GitHub shows at the files."""
-    from autograder.reports import github
+    from autograder.reports import github_summary
 
     pieces = {row.submission.student: row.submission.pieces for row in summary.rows}
     page = os.environ.get("GITHUB_STEP_SUMMARY")
@@ -175,11 +175,11 @@ def _tell_github(
             for path in notebooks
             if chapter.name in path.stem
         }
-        text = github.summary(course, record)
+        text = github_summary.summary(course, record)
         if page:
             with open(page, "a", encoding="utf-8", newline="\n") as file:
                 file.write(text)
-        for line in github.remarks(course, record, files):
+        for line in github_summary.remarks(course, record, files):
             console.out(line, highlight=False)
 
 

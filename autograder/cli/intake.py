@@ -10,7 +10,8 @@ from rich.console import Console
 from rich.markup import escape
 from rich.table import Table
 
-from autograder.cli.common import (
+from autograder.cli.exit_status import BROKEN, DONE
+from autograder.cli.shared_arguments import (
     Commands,
     add_class_list,
     add_json,
@@ -22,7 +23,6 @@ from autograder.cli.common import (
     load,
     print_json,
 )
-from autograder.cli.status import BROKEN, DONE
 from autograder.language import _
 
 if TYPE_CHECKING:
@@ -45,8 +45,8 @@ def add(commands: Commands) -> None:
 
 def run(parsed: argparse.Namespace, console: Console) -> int:
     """Print the table, what was passed over, and the line of truth."""
+    from autograder.cli.run_options import intake_wanted
     from autograder.cli.shared_intake import take_in_paths, unreadable_students
-    from autograder.cli.wanted import intake_wanted
     from autograder.gradebook import Gradebook
     from autograder.reports.terminal import printable, warn
 

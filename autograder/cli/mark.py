@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 
 from rich.console import Console
 
-from autograder.cli.common import (
+from autograder.cli.exit_status import DONE
+from autograder.cli.shared_arguments import (
     Commands,
     add_author,
     add_class_list,
@@ -19,7 +20,6 @@ from autograder.cli.common import (
     print_json,
     use_class_list,
 )
-from autograder.cli.status import DONE
 from autograder.errors import UsageError
 
 if TYPE_CHECKING:

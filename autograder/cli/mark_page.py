@@ -14,8 +14,8 @@ from rich.console import Console
 from autograder.errors import UsageError
 from autograder.gradebook import Gradebook
 from autograder.gradebook.by_hand import Item, give
+from autograder.reports.html_page import page
 from autograder.reports.markdown import isolated, markdown, text
-from autograder.reports.page import page
 
 MOST_BYTES = 200_000
 

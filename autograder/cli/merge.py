@@ -8,7 +8,8 @@ from pathlib import Path
 
 from rich.console import Console
 
-from autograder.cli.common import (
+from autograder.cli.exit_status import BROKEN, DONE
+from autograder.cli.shared_arguments import (
     GRADEBOOK,
     Commands,
     add_class_list,
@@ -17,7 +18,6 @@ from autograder.cli.common import (
     load,
     use_class_list,
 )
-from autograder.cli.status import BROKEN, DONE
 from autograder.errors import UsageError
 
 

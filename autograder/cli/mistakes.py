@@ -7,7 +7,8 @@ import json
 
 from rich.console import Console
 
-from autograder.cli.common import (
+from autograder.cli.exit_status import DONE
+from autograder.cli.shared_arguments import (
     Commands,
     add_class_list,
     add_json,
@@ -17,7 +18,6 @@ from autograder.cli.common import (
     load,
     print_json,
 )
-from autograder.cli.status import DONE
 from autograder.language import _, n_
 
 

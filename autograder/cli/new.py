@@ -8,8 +8,8 @@ from pathlib import Path
 
 from rich.console import Console
 
-from autograder.cli.common import Commands
-from autograder.cli.status import DONE
+from autograder.cli.exit_status import DONE
+from autograder.cli.shared_arguments import Commands
 from autograder.course import load_course
 from autograder.errors import CourseError
 

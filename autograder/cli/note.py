@@ -6,7 +6,8 @@ import argparse
 
 from rich.console import Console
 
-from autograder.cli.common import (
+from autograder.cli.exit_status import DONE
+from autograder.cli.shared_arguments import (
     Commands,
     add_author,
     add_class_list,
@@ -14,7 +15,6 @@ from autograder.cli.common import (
     gradebook_path,
     use_class_list,
 )
-from autograder.cli.status import DONE
 from autograder.errors import UsageError
 
 

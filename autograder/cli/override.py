@@ -8,7 +8,8 @@ from pathlib import Path
 
 from rich.console import Console
 
-from autograder.cli.common import (
+from autograder.cli.exit_status import DONE
+from autograder.cli.shared_arguments import (
     Commands,
     add_author,
     add_class_list,
@@ -17,7 +18,6 @@ from autograder.cli.common import (
     load,
     use_class_list,
 )
-from autograder.cli.status import DONE
 from autograder.errors import UsageError
 
 
@@ -94,7 +94,7 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
 
 def _spreadsheet(parsed: argparse.Namespace, console: Console) -> int:
     from autograder.gradebook import Gradebook, view_class
-    from autograder.reports.spreadsheet import read_spreadsheet, write_spreadsheet
+    from autograder.reports.overrides_csv import read_spreadsheet, write_spreadsheet
     from autograder.reports.terminal import printable
     from autograder.reports.write import Options, write_reports
 

@@ -8,7 +8,13 @@ from typing import TYPE_CHECKING
 
 from rich.console import Console
 
-from autograder.cli.common import Commands, add_grading, gradebook_path, load, use_class_list
+from autograder.cli.shared_arguments import (
+    Commands,
+    add_grading,
+    gradebook_path,
+    load,
+    use_class_list,
+)
 from autograder.errors import UsageError
 
 if TYPE_CHECKING:
@@ -30,8 +36,8 @@ def add(commands: Commands) -> None:
 def run(parsed: argparse.Namespace, console: Console) -> int:
     """Grade again what the gradebook knows; work that has gone keeps its marks, and is named."""
     from autograder.cli.grading_run import grade_and_report
+    from autograder.cli.run_options import grading_wanted, intake_wanted
     from autograder.cli.shared_intake import settle
-    from autograder.cli.wanted import grading_wanted, intake_wanted
     from autograder.gradebook import Gradebook, find_record, view_class
     from autograder.gradebook.view import with_people
     from autograder.intake.long_list import LongList

@@ -7,8 +7,8 @@ from pathlib import Path
 
 from rich.console import Console
 
-from autograder.cli.common import Commands, load
-from autograder.cli.status import DONE
+from autograder.cli.exit_status import DONE
+from autograder.cli.shared_arguments import Commands, load
 
 _MUCH = 25  # MB; what is sent back by e-mail or uploaded to GitHub in a browser may not be more
 

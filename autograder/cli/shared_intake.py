@@ -6,17 +6,17 @@ from collections.abc import Sequence
 from datetime import datetime
 from pathlib import Path
 
-from autograder.cli.wanted import IntakeWanted
+from autograder.cli.run_options import IntakeWanted
 from autograder.course import Course
 from autograder.errors import UsageError
 from autograder.gradebook import Gradebook
 from autograder.intake.class_list import ClassList
-from autograder.intake.find import take_in
+from autograder.intake.find_submissions import take_in
 from autograder.intake.handout import handout_of
 from autograder.intake.layouts.layout import Context
+from autograder.intake.submission_times import read_times
 from autograder.intake.submissions import Submission, Unreadable, read_submission
 from autograder.intake.summary import Summary, summarise
-from autograder.intake.times import read_times
 
 _TRUST = "trust_times"
 

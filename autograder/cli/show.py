@@ -6,7 +6,8 @@ import argparse
 
 from rich.console import Console
 
-from autograder.cli.common import (
+from autograder.cli.exit_status import DONE
+from autograder.cli.shared_arguments import (
     Commands,
     add_class_list,
     add_json,
@@ -16,7 +17,6 @@ from autograder.cli.common import (
     load,
     print_json,
 )
-from autograder.cli.status import DONE
 
 
 def add(commands: Commands) -> None:
@@ -35,7 +35,7 @@ def add(commands: Commands) -> None:
 def run(parsed: argparse.Namespace, console: Console) -> int:
     """Print marks, overrides and notes."""
     from autograder.gradebook import Gradebook, find_record, view_class
-    from autograder.reports.machine import record_fields
+    from autograder.reports.json_output import record_fields
     from autograder.reports.terminal import print_key, print_record
 
     course = load(parsed)

@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING
 
 from rich.console import Console
 
-from autograder.cli.common import (
+from autograder.cli.exit_status import DONE
+from autograder.cli.shared_arguments import (
     Commands,
     add_class_list,
     add_json,
@@ -20,7 +21,6 @@ from autograder.cli.common import (
     load,
     print_json,
 )
-from autograder.cli.status import DONE
 from autograder.course.folders import SOLUTIONS, SOLVED, student_notebooks
 from autograder.language import _, n_
 
@@ -58,11 +58,11 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
     from autograder.gradebook import Gradebook
     from autograder.gradebook.record import names_of
     from autograder.gradebook.view import with_people
-    from autograder.intake.find import find_submissions
+    from autograder.intake.find_submissions import find_submissions
     from autograder.intake.submissions import Unreadable, read_submission
-    from autograder.reports.files import write_csv
     from autograder.reports.similarity import fingerprints, handout_cells, similar_pairs
     from autograder.reports.terminal import printable, progress_bar
+    from autograder.reports.whole_files import write_csv
 
     course = load(parsed)
     names: dict[str, str] = {}

@@ -7,11 +7,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from autograder.course.filling import NotFilled, fill
+from autograder.course.placeholders import NotFilled, fill
 from autograder.questions.answer import Alternative, Answer
 from autograder.questions.question import Question
 from autograder.questions.registry import kind_of
-from autograder.questions.strict import Place, path_of, read_table
+from autograder.questions.strict_reader import Place, path_of, read_table
 
 __all__ = ["Alternative", "Answer", "answer_from_table"]
 

@@ -29,7 +29,7 @@ from autograder.course.toml_file import read_toml, unreadable
 from autograder.errors import CourseError, UsageError
 from autograder.language import N_, _, use
 from autograder.questions.registry import load_kind
-from autograder.questions.strict import Place, Table, meant, read_table
+from autograder.questions.strict_reader import Place, Table, meant, read_table
 from autograder.questions.variables import Variables, read_variables
 
 DEMO = "demo"  # the tag of a cell that only shows something

@@ -21,9 +21,9 @@ from msgspec import Meta
 
 from autograder.course.toml_file import read_toml
 from autograder.errors import UsageError
-from autograder.questions.strict import Place, read_table
+from autograder.questions.author_tables import Written
+from autograder.questions.strict_reader import Place, read_table
 from autograder.questions.variables import canonical
-from autograder.questions.written import Written
 
 FILE = "places.toml"
 MOST = 20_000  # names: a slot has two bytes

@@ -14,10 +14,10 @@ import msgspec
 import numpy as np
 from msgspec import Meta
 
-from autograder.course.filling import fill_text
+from autograder.course.placeholders import fill_text
 from autograder.errors import UsageError
 from autograder.language import _
-from autograder.questions.written import FieldError, Text, Written
+from autograder.questions.author_tables import FieldError, Text, Written
 
 ID = r"^P\d+(\.\d+)*[a-z]?$"
 MOST_DIGITS = 6  # of a number in words

@@ -8,11 +8,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
-from autograder.course.filling import NotFilled, fill
+from autograder.course.placeholders import NotFilled, fill
 from autograder.course.selections import DRAW, FIELD, drawn, read_draws
 from autograder.questions.question import Question
 from autograder.questions.registry import has_kind, kind_named, kind_names
-from autograder.questions.strict import Place, Table, meant, nearest, read_table
+from autograder.questions.strict_reader import Place, Table, meant, nearest, read_table
 from autograder.questions.variables import Variables, read_variables
 
 __all__ = ["Question", "Written", "question_from_table"]

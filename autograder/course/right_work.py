@@ -18,7 +18,7 @@ from autograder.course.course import Course
 from autograder.course.own_code import OWN, put_first
 from autograder.course.questions import Question
 from autograder.errors import CourseError
-from autograder.questions.strict import Place
+from autograder.questions.strict_reader import Place
 
 FOLDER = Path("solutions/variants")
 TYPED = "typed.toml"

@@ -13,7 +13,7 @@ key, proves each draw.
 
 from __future__ import annotations
 
-from autograder.questions.strict import Place, Table
+from autograder.questions.strict_reader import Place, Table
 from autograder.questions.variables import Variables
 
 FIELD = "draws"

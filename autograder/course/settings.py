@@ -10,8 +10,8 @@ import msgspec
 from msgspec import Meta
 
 from autograder.course.toml_file import read_toml
-from autograder.questions.strict import Place, nearest, read_table
-from autograder.questions.written import FieldError, Written
+from autograder.questions.author_tables import FieldError, Written
+from autograder.questions.strict_reader import Place, nearest, read_table
 
 _LARGEST = 1_000_000  # beyond all use, and within what timers and counters can take
 

@@ -11,7 +11,7 @@ Nothing that is read here can run code: no pickle, no object arrays, and every l
 with a cap before memory is taken. What is read takes little more memory than its frame: JSON of
 nothing but brackets would take fifty times its length, so lists and dictionaries and what they hold
 are counted first, every array stands in one place only, and an array counts as what it becomes when
-it is unpacked (`autograder.exchange.sizes`), not as its bytes.
+it is unpacked (`autograder.exchange.unpacked_size`), not as its bytes.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from typing import IO
 import numpy as np
 
 from autograder.exchange.messages import Value
-from autograder.exchange.sizes import unpacked_bytes
+from autograder.exchange.unpacked_size import unpacked_bytes
 
 HEADER = struct.Struct(">IQ")
 MAX_JSON = 16 * 2**20

@@ -14,7 +14,7 @@ from typing import Any
 from autograder.gradebook.lookup import find_record
 from autograder.gradebook.record import Attempt, Note, Override, Record
 from autograder.gradebook.schema import connect, readable_entries, readable_errors
-from autograder.grading.graded import Graded
+from autograder.grading.graded_submission import Graded
 from autograder.intake.origin import Origin, path_from_text, path_to_text
 from autograder.intake.submissions import Submission
 from autograder.marking import Mark

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from autograder.gradebook.record import Record
-from autograder.grading.graded import Graded
+from autograder.grading.graded_submission import Graded
 from autograder.marking import Mark
 
 

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from autograder.errors import UsageError
 from autograder.gradebook.record import Record
-from autograder.intake.matching import plain_name
+from autograder.intake.match_people import plain_name
 from autograder.intake.person import Person
 
 

@@ -9,7 +9,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
-from autograder.grading.graded import Graded
+from autograder.grading.graded_submission import Graded
 from autograder.intake.origin import Origin
 from autograder.intake.person import Person
 from autograder.language import _
@@ -17,7 +17,7 @@ from autograder.marking import Mark
 from autograder.marking.draw import seed_of_set
 
 if TYPE_CHECKING:
-    from autograder.gradebook.scheme import Scheme
+    from autograder.gradebook.grading_scheme import Scheme
 
 
 @dataclass(frozen=True)

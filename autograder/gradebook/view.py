@@ -7,12 +7,12 @@ from dataclasses import dataclass, replace
 
 from autograder.course import Course
 from autograder.gradebook.book import Gradebook
-from autograder.gradebook.read_scheme import read_scheme
+from autograder.gradebook.grading_scheme import Scheme, plain_scheme
+from autograder.gradebook.read_grading_toml import read_scheme
 from autograder.gradebook.record import Record
-from autograder.gradebook.scheme import Scheme, plain_scheme
 from autograder.gradebook.stored_records import StoredRecords
 from autograder.intake.class_list import ClassList
-from autograder.intake.matching import Match
+from autograder.intake.match_people import Match
 from autograder.intake.person import Person
 
 SCHEME = "grading"  # the setting that holds the text of the accepted grading.toml

@@ -16,13 +16,13 @@ from typing import Any
 from distributed import Client, Future, KilledWorker, as_completed
 
 from autograder.course import Course
-from autograder.grading.crossing import pack_order, unpack_result
+from autograder.grading.cluster_messages import pack_order, unpack_result
 from autograder.grading.dask_address import ClusterAddress
 from autograder.grading.dask_connection import ClusterError, connect, gone, gone_in_one_sentence
 from autograder.grading.dask_crew import Crew
 from autograder.grading.dask_memory import forget_keys
 from autograder.grading.dask_worker import Wanted, grade_here, software
-from autograder.grading.graded import Graded, same_mark_for_all
+from autograder.grading.graded_submission import Graded, same_mark_for_all
 from autograder.grading.spread import Task
 from autograder.marking.marker import Marker
 from autograder.sandbox.launcher import NO_SANDBOX, Isolation, SandboxError, isolation_parts

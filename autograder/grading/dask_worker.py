@@ -26,7 +26,7 @@ from distributed import Reschedule, Status, Worker, WorkerPlugin, get_worker
 from autograder.course import Course, load_course
 from autograder.course.course import find_course_root
 from autograder.errors import AutograderError
-from autograder.grading.crossing import Broken, pack_result, unpack_order
+from autograder.grading.cluster_messages import Broken, pack_result, unpack_order
 from autograder.grading.dask_memory import forget_keys
 from autograder.grading.submission import grade_submission
 from autograder.marking.marker import Marker

@@ -18,8 +18,8 @@ from pathlib import Path
 from typing import Protocol
 
 from autograder.errors import machine_error, refuse_link
+from autograder.intake.submission_times import snapshot
 from autograder.intake.submissions import Submission
-from autograder.intake.times import snapshot
 from autograder.language import N_
 
 try:

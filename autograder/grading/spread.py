@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Protocol
 
-from autograder.grading.graded import Graded
+from autograder.grading.graded_submission import Graded
 from autograder.intake.submissions import Contents, Submission
 
 

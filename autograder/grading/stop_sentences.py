@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from autograder.language import N_, _
-from autograder.sandbox.stopped import Stopped
+from autograder.sandbox.stop_errors import Stopped
 
 
 def notebook_stopped(stop: Stopped) -> str:

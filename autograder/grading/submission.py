@@ -11,12 +11,12 @@ from autograder.course.predictions import Guess
 from autograder.errors import AutograderError, machine_error
 from autograder.exchange.identity import said_in_code, said_to_be
 from autograder.grading.chapter import grade_chapter
-from autograder.grading.graded import Graded, grader_failed, same_mark_for_all
+from autograder.grading.graded_submission import Graded, grader_failed, same_mark_for_all
 from autograder.intake.submissions import Contents, Submission
 from autograder.marking import Mark
 from autograder.marking.marker import Marker
-from autograder.sandbox.doubt import Doubt
 from autograder.sandbox.launcher import Sandbox
+from autograder.sandbox.machine_to_blame import Doubt
 
 
 def grade_submission(

@@ -6,7 +6,12 @@ from collections.abc import Callable, Collection, Sequence
 
 from autograder.course import Course
 from autograder.errors import AutograderError, machine_error
-from autograder.grading.graded import Graded, grader_failed, same_mark_for_all, unreadable
+from autograder.grading.graded_submission import (
+    Graded,
+    grader_failed,
+    same_mark_for_all,
+    unreadable,
+)
 from autograder.grading.journal import PASSED_BY, STOPPED_THE_GRADER, Watch
 from autograder.grading.spread import Spread, Task
 from autograder.intake.handout import handout_of

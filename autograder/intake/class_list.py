@@ -38,15 +38,15 @@ from pathlib import Path
 from zoneinfo import ZoneInfo, ZoneInfoNotFoundError
 
 from autograder.errors import CourseError
+from autograder.intake.class_list_tables import WrittenClass, WrittenLate, WrittenStudent
 from autograder.intake.lateness import LatePolicy
-from autograder.intake.matching import Match, match_all
+from autograder.intake.match_people import Match, match_all
 from autograder.intake.origin import Origin, as_utc_text
-from autograder.intake.people import join_people, read_people
 from autograder.intake.person import Person
-from autograder.intake.tables import read_text
-from autograder.intake.written_class import WrittenClass, WrittenLate, WrittenStudent
+from autograder.intake.roster_exports import join_people, read_people
+from autograder.intake.spreadsheets import read_text
 from autograder.questions import toml_lines
-from autograder.questions.strict import Place, read_table
+from autograder.questions.strict_reader import Place, read_table
 
 
 @dataclass(frozen=True)
@@ -65,7 +65,7 @@ class ClassList:
         return None if self.late is None else self.late.due.tzinfo
 
     def match_all(self, origins: Mapping[str, Origin]) -> dict[str, Match]:
-        """Whose each submission is, by the student's key; see `autograder.intake.matching`."""
+        """Whose each submission is, by the student's key; see `autograder.intake.match_people`."""
         return match_all(self.students, origins, self.settled)
 
     def find(self, submission: str) -> Person | None:

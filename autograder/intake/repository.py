@@ -20,10 +20,10 @@ from pathlib import Path, PurePosixPath
 
 from autograder.exchange.messages import Message
 from autograder.intake import repository_reader
-from autograder.intake.kept_files import Files, Kept, is_wanted
+from autograder.intake.file_or_zip import DiskPlace, Place, place_of
 from autograder.intake.notebook_reader import Unreadable
 from autograder.intake.origin import Piece
-from autograder.intake.place import DiskPlace, Place, place_of
+from autograder.intake.wanted_files import Files, Kept, is_wanted
 
 _SECONDS = 120
 _SUFFIXES = (".ipynb", ".json", ".txt")

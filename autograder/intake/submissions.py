@@ -18,9 +18,8 @@ from autograder.course import Settings
 from autograder.exchange.printable import JOINERS
 from autograder.exchange.responses import Entry, keep_response
 from autograder.intake.archive import shown
-from autograder.intake.handed_in import read_files
+from autograder.intake.file_or_zip import is_notebook_name
 from autograder.intake.handout import Handout, is_filled_in_by
-from autograder.intake.kept_files import Files, Kept
 from autograder.intake.notebook_reader import (
     Notebook,
     Unreadable,
@@ -28,7 +27,8 @@ from autograder.intake.notebook_reader import (
     read_notebook,
 )
 from autograder.intake.origin import Origin, Piece
-from autograder.intake.place import is_notebook_name
+from autograder.intake.read_files import read_files
+from autograder.intake.wanted_files import Files, Kept
 
 __all__ = [
     "Contents",

@@ -7,9 +7,10 @@ from dataclasses import dataclass, field, replace
 from datetime import datetime
 
 from autograder.intake.class_list import ClassList
+from autograder.intake.file_or_zip import DiskPlace
 from autograder.intake.layouts.layout import PassedOver
 from autograder.intake.long_list import LongList
-from autograder.intake.matching import Match
+from autograder.intake.match_people import Match
 from autograder.intake.origin import (
     CLASS_LIST,
     FILE,
@@ -21,9 +22,8 @@ from autograder.intake.origin import (
 )
 from autograder.intake.packed_time import hinted_time
 from autograder.intake.person import Person
-from autograder.intake.place import DiskPlace
+from autograder.intake.submission_times import doubt, snapshot
 from autograder.intake.submissions import Submission
-from autograder.intake.times import doubt, snapshot
 from autograder.language import _, n_
 
 _NAMED = 8

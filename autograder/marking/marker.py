@@ -21,7 +21,7 @@ from autograder.marking.draw import draw, seed_of_set, set_of_variant
 from autograder.marking.neighbors import around
 from autograder.questions.answer import Answer
 from autograder.questions.drawn import Drawn
-from autograder.questions.reading import Reading
+from autograder.questions.functions_to_read import Reading
 from autograder.questions.registry import kind_of
 
 OTHER_NUMBERS = "right for other numbers"  # the name of the mistake

@@ -16,8 +16,8 @@ from autograder.errors import CourseError
 from autograder.exchange.messages import Message
 from autograder.exchange.why_unusable import REASONS, UNREAD
 from autograder.language import _
+from autograder.questions.json_arrays import unpack
 from autograder.questions.mark import Mark, not_attempted, stopped
-from autograder.questions.pack import unpack
 from autograder.questions.registry import kind_of
 from autograder.questions.snapshot import wrong
 

@@ -6,7 +6,7 @@ from typing import Annotated
 
 from msgspec import Meta, field
 
-from autograder.questions.written import Credit, FieldError, Text, Written, second_of
+from autograder.questions.author_tables import Credit, FieldError, Text, Written, second_of
 
 
 class Alternative(Written, frozen=True, kw_only=True):

@@ -6,8 +6,8 @@ from typing import Annotated, ClassVar
 
 from msgspec import Meta, field
 
+from autograder.questions.author_tables import ID, FieldError, Points, Text, Written
 from autograder.questions.variables import Number, Steps
-from autograder.questions.written import ID, FieldError, Points, Text, Written
 
 
 class Question(Written, frozen=True, kw_only=True, tag_field="kind"):

@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import Any
 
 from autograder.errors import CourseError
-from autograder.questions.kind import Kind
+from autograder.questions.kind_protocol import Kind
 from autograder.questions.question import Question
 
 GROUP = FOLDERS = "autograder.kinds"  # of entry points, and the package of those found here

@@ -23,8 +23,8 @@ from decimal import Decimal
 
 import msgspec
 
-from autograder.questions.strict import Place
-from autograder.questions.written import Written, check_python_name
+from autograder.questions.author_tables import Written, check_python_name
+from autograder.questions.strict_reader import Place
 
 Number = int | float
 MOST = 100_000  # variants; more would only make the proof choose among more

@@ -10,15 +10,15 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from autograder.authoring.build import build_student_notebooks
-from autograder.authoring.practice import PRACTICE, practice_files
-from autograder.authoring.pyproject import bundle_pyproject
+from autograder.authoring.bundle_pyproject import bundle_pyproject
+from autograder.authoring.practice_key import PRACTICE, practice_files
 from autograder.course import Course
 from autograder.course.places import FILE as PLACES
 from autograder.course.settings import setting_lines
 from autograder.errors import CourseError, UsageError
 from autograder.marking.snapshots import SNAPSHOTS
 from autograder.release import practice_workflow
-from autograder.release.files import LeftOut, left_out, student_files
+from autograder.release.file_rules import LeftOut, left_out, student_files
 from autograder.release.leaks import leaks
 from autograder.release.readme import student_readme
 from autograder.release.take_snapshots import chapter_snapshots

@@ -8,7 +8,7 @@ from __future__ import annotations
 from autograder.course import Chapter, Course
 from autograder.exchange.messages import Message
 from autograder.marking.draw import draw
-from autograder.questions.pack import pack
+from autograder.questions.json_arrays import pack
 from autograder.questions.registry import kind_of
 
 # The grader's seeds have 32 bits, so these inputs never grade anybody.

@@ -8,9 +8,9 @@ from pathlib import Path
 from autograder.course import Course
 from autograder.gradebook.record import Record
 from autograder.marking import STATUSES
-from autograder.reports.files import write_csv
-from autograder.reports.gather import ClassFindings, gather
+from autograder.reports.class_summary import ClassFindings, gather
 from autograder.reports.statistics import needs_help, section_of
+from autograder.reports.whole_files import write_csv
 
 
 def write_class_csv(

@@ -9,10 +9,10 @@ import numpy as np
 from autograder.course import Course
 from autograder.gradebook import ClassView, Record, Run
 from autograder.language import N_, _, chosen, n_
-from autograder.reports.gather import ClassFindings, gather
+from autograder.reports.class_summary import ClassFindings, gather
+from autograder.reports.color_patterns import definitions
+from autograder.reports.html_page import page, table
 from autograder.reports.markdown import inline, text
-from autograder.reports.page import page, table
-from autograder.reports.patterns import definitions
 from autograder.reports.people_html import Links, needy_html, to_do_html
 from autograder.reports.predictions import predictions_html
 from autograder.reports.statistics import (
@@ -21,7 +21,7 @@ from autograder.reports.statistics import (
     Mistake,
     QuestionStatistics,
 )
-from autograder.reports.svg import (
+from autograder.reports.svg_charts import (
     BLUE,
     DARK,
     GRAY,

@@ -16,12 +16,12 @@ from autograder.course import Course
 from autograder.course.questions import Question
 from autograder.gradebook.record import Record
 from autograder.intake.class_list import ClassList
-from autograder.intake.matching import plain_name
+from autograder.intake.match_people import plain_name
 from autograder.intake.person import Person
 from autograder.language import _
-from autograder.reports.files import write_csv
 from autograder.reports.grades_csv import NOT_YET, points_cell
-from autograder.reports.machine import most_for
+from autograder.reports.json_output import most_for
+from autograder.reports.whole_files import write_csv
 
 
 def match(

@@ -12,11 +12,11 @@ from autograder.marking import Mark, Part
 from autograder.questions.mark import status_for
 from autograder.questions.registry import kind_of
 from autograder.questions.status import Status
-from autograder.reports.machine import most_for
+from autograder.reports.html_page import page
+from autograder.reports.json_output import most_for
 from autograder.reports.markdown import inline, isolated, markdown, text
-from autograder.reports.page import page
 from autograder.reports.pictures import Pictures
-from autograder.reports.svg import bar
+from autograder.reports.svg_charts import bar
 
 
 @dataclass(frozen=True)

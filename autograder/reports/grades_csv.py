@@ -7,8 +7,8 @@ from pathlib import Path
 
 from autograder.course import Course
 from autograder.gradebook.record import Record
-from autograder.reports.files import write_csv
-from autograder.reports.machine import most_for
+from autograder.reports.json_output import most_for
+from autograder.reports.whole_files import write_csv
 
 NOT_YET = "not yet"
 

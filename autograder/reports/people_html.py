@@ -11,11 +11,11 @@ from autograder.course import Course
 from autograder.gradebook.record import Names
 from autograder.gradebook.view import ClassView
 from autograder.language import _, n_
-from autograder.reports.files import file_name
-from autograder.reports.gather import MOST_NAMED, ClassFindings, Section
+from autograder.reports.class_summary import MOST_NAMED, ClassFindings, Section
+from autograder.reports.html_page import table
 from autograder.reports.markdown import isolated, text
-from autograder.reports.page import table
 from autograder.reports.statistics import Needy
+from autograder.reports.whole_files import file_name
 
 _MOST_MISTAKES = 3  # named beside a student
 _MOST_LISTED = 60

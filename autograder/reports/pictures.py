@@ -18,7 +18,7 @@ from autograder.marking import Mark
 from autograder.marking.marker import Marker
 from autograder.questions.registry import kind_of
 from autograder.reports.markdown import text
-from autograder.reports.svg import BLUE, DARK, GREEN, RED, Chart, swatch
+from autograder.reports.svg_charts import BLUE, DARK, GREEN, RED, Chart, swatch
 
 _SIZE = 380.0
 _LOOKS = {"points": DARK, "expected": GREEN, "line": RED, "other": BLUE}

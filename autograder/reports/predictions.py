@@ -11,9 +11,9 @@ from dataclasses import dataclass, field
 from autograder.course.predictions import Prediction
 from autograder.gradebook.record import Record
 from autograder.language import _
+from autograder.reports.html_page import table
 from autograder.reports.markdown import inline, text
-from autograder.reports.page import table
-from autograder.reports.svg import bar
+from autograder.reports.svg_charts import bar
 
 _BINS = 8
 _WIDE = 30  # a largest number so many times the smallest is drawn by its magnitude

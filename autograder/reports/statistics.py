@@ -15,7 +15,7 @@ from autograder.intake.long_list import LongList
 from autograder.language import N_, _
 from autograder.marking import Mark
 from autograder.questions.registry import kind_of
-from autograder.reports.machine import most_for
+from autograder.reports.json_output import most_for
 
 FEWEST = 10  # below that, a correlation is chance
 LOW_DISCRIMINATION = 0.15

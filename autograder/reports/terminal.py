@@ -19,7 +19,7 @@ from autograder.language import _, n_
 from autograder.marking import Mark
 from autograder.questions.registry import kind_of
 from autograder.questions.status import Status
-from autograder.reports.machine import most_for
+from autograder.reports.json_output import most_for
 
 NARROW = 60  # columns, below which tables are written as lines
 

@@ -6,12 +6,13 @@ Who starts whom, from the trusted side to the student's::
       Session        (session.py)    one notebook of one submission: runs it, evaluates responses
         Host         (host.py)       one process inside the isolation, used for many notebooks
     ----------------------------------------------------------------- bubblewrap, a user of its own
-          zygote     (inside/zygote.py)   everything imported, no key; forks
+          zygote     (inside/zygote.py)          everything imported, no key; forks
     ----------------------------------------------------------------- Landlock, seccomp, limits
-            child    (inside/serve.py)    one notebook: student code runs from here on
-              fork   (inside/serve.py)    one response, so that a crash costs one question
+            child    (inside/notebook_child.py)  one notebook: student code runs from here on
+              fork   (the same)                  one response, so that a crash costs one question
 
-With ``--no-sandbox`` `plain.py` starts ``inside/worker.py`` in place of host, zygote and child.
+With ``--no-sandbox`` `no_isolation.py` starts ``inside/plain_process.py`` in place of host, zygote
+and child.
 
 Messages cross in `autograder.exchange`. Nothing that comes back is believed: `Session` takes only
 answers that carry the nonce of its question, cleaned by `autograder.exchange.replies`.

@@ -22,10 +22,10 @@ from autograder.errors import AutograderError, MachineError, machine_error, shor
 from autograder.exchange.channel import Channel
 from autograder.exchange.messages import Message
 from autograder.sandbox import bubblewrap, landlock, seccomp
-from autograder.sandbox.bytecode import stale_modules
 from autograder.sandbox.control_group import ControlGroup
-from autograder.sandbox.identity import OwnIdentity
 from autograder.sandbox.own_folder import OwnFolder
+from autograder.sandbox.own_user import OwnIdentity
+from autograder.sandbox.stale_bytecode import stale_modules
 
 _SYSTEM_FILES = ("/etc/ld.so.cache", "/etc/localtime")
 _PACKAGE = Path(__file__).parents[1]
@@ -436,7 +436,7 @@ def compile_libraries() -> None:
         subprocess.run(
             # This runs with the instructor's rights, so nothing may be imported from the current
             # folder, which may hold what students handed in.
-            [sys.executable, "-P", "-m", "autograder.sandbox.inside.warm"],
+            [sys.executable, "-P", "-m", "autograder.sandbox.inside.warm_imports"],
             cwd="/",
             env=environment,
             stdin=subprocess.DEVNULL,

@@ -12,9 +12,9 @@ import threading
 from typing import TYPE_CHECKING, Literal, cast
 
 from autograder.course import Course
-from autograder.sandbox.doubt import Doubt
-from autograder.sandbox.failure import SandboxError
-from autograder.sandbox.stopped import Stopped
+from autograder.sandbox.machine_to_blame import Doubt
+from autograder.sandbox.no_isolation_works import SandboxError
+from autograder.sandbox.stop_errors import Stopped
 
 if TYPE_CHECKING:
     from autograder.sandbox.host import Host

@@ -18,9 +18,9 @@ from autograder.course.folders import VISIBLE_FILES
 from autograder.exchange import wire
 from autograder.exchange.messages import Evaluation, Message, Report
 from autograder.exchange.replies import clean_evaluation, clean_report
+from autograder.sandbox.empty_folder import remove
 from autograder.sandbox.own_folder import OwnFolder
-from autograder.sandbox.removal import remove
-from autograder.sandbox.stopped import Stopped, out_of_time
+from autograder.sandbox.stop_errors import Stopped, out_of_time
 
 VISIBLE = ("autograder", "data", "notebooks")
 
@@ -133,7 +133,7 @@ class PlainSession:
         if sys.platform == "win32":
             environment["SYSTEMROOT"] = os.environ["SYSTEMROOT"]
         self._process = subprocess.Popen(
-            [sys.executable, "-m", "autograder.sandbox.inside.worker"],
+            [sys.executable, "-m", "autograder.sandbox.inside.plain_process"],
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=subprocess.DEVNULL,

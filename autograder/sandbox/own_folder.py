@@ -12,7 +12,7 @@ import time
 from contextlib import suppress
 from pathlib import Path
 
-from autograder.sandbox.removal import remove
+from autograder.sandbox.empty_folder import remove
 
 try:
     import fcntl

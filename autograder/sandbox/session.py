@@ -18,9 +18,9 @@ from autograder.exchange.channel import Channel, Late
 from autograder.exchange.messages import Evaluation, Message, Report
 from autograder.exchange.replies import clean_evaluation, clean_report
 from autograder.language import N_
-from autograder.sandbox.doubt import Doubt
 from autograder.sandbox.host import Host, HostError, limits
-from autograder.sandbox.stopped import BY_SIGNAL, BY_THE_SYSTEM, Stopped, out_of_time
+from autograder.sandbox.machine_to_blame import Doubt
+from autograder.sandbox.stop_errors import BY_SIGNAL, BY_THE_SYSTEM, Stopped, out_of_time
 
 GRACE = 1.0  # seconds between the child's own limit and the one kept here
 PATIENCE = 20  # times a limit: how long to wait for a child that is given no processor

@@ -14,11 +14,11 @@ from autograder.questions.registry import kind_of
 from autograder.student import unsaved
 from autograder.student.course_path import course_of_notebook, put_course_first
 from autograder.student.desk import Desk
-from autograder.student.drop import drop
 from autograder.student.frontend import colab_notebook, in_colab, widgets_wanted
 from autograder.student.identity import become, student_of
-from autograder.student.live import Live, Shown, View
+from autograder.student.live_view import Live, Shown, View
 from autograder.student.marker_client import marker_for
+from autograder.student.put_into_drop_folder import drop
 from autograder.student.responses import answered, responses_folder
 from autograder.student.submission import asks_for_a_name, pack_submission
 from autograder.student.views import (

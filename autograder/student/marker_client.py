@@ -135,7 +135,7 @@ class MarkerClient:
         return Mark.from_dict(reply["mark"])
 
     def reading(self, id: str, seed: int) -> Message:
-        """Functions to read, as `autograder.questions.reading.Reading.shown` has them."""
+        """Functions to read, as `autograder.questions.functions_to_read.Reading.shown` has them."""
         shown: Message = self._ask({"do": "reading", "question": id, "seed": seed})["shown"]
         return shown
 

@@ -14,7 +14,7 @@ from autograder.authoring.build import (
     write,
 )
 from autograder.authoring.masters import read_masters
-from autograder.authoring.raised import raised
+from autograder.authoring.raising_cells import raised
 from autograder.cli import main
 from autograder.errors import CourseError
 

@@ -8,7 +8,7 @@ import pytest
 from autograder.authoring import job_processes
 from autograder.authoring.proof import prove_course
 from autograder.authoring.proof_by_mutants import prove_by_mutants, tried_styles
-from autograder.mutants.edits import edited
+from autograder.mutants.code_edits import edited
 from autograder.mutants.formula_edits import edited_formulas
 
 ANSWERS = "solutions/answers/kitchen.toml"

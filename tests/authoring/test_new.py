@@ -14,7 +14,7 @@ import pytest
 from autograder.authoring import new_course
 from autograder.authoring.new_course import Source
 from autograder.cli import main
-from autograder.cli.extras import missing_extra
+from autograder.cli.missing_extras import missing_extra
 from autograder.course import load_course
 from autograder.errors import UsageError
 from autograder.questions.registry import kind_names

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from autograder.authoring.proof_of_variants import prove_variants
-from autograder.course.filling import fill, fill_text
+from autograder.course.placeholders import fill, fill_text
 from autograder.errors import CourseError
 from autograder.marking.marker import Marker
 

@@ -11,7 +11,7 @@ import pytest
 
 from autograder.errors import UsageError
 from autograder.gradebook import SCHEMA_VERSION, Gradebook, GradebookError
-from autograder.grading.graded import Graded
+from autograder.grading.graded_submission import Graded
 from autograder.intake.submissions import Submission
 from tests.classroom import fill, graded, hostile_mark, mark
 

@@ -10,9 +10,9 @@ pytest.importorskip("distributed", reason="Dask is not installed: uv run --extra
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="the sandbox is Linux's")
 
 from autograder.grading import dask_cluster  # noqa: E402
-from autograder.grading.crossing import pack_result  # noqa: E402
+from autograder.grading.cluster_messages import pack_result  # noqa: E402
 from autograder.grading.dask_address import parse_address  # noqa: E402
-from autograder.grading.graded import Graded  # noqa: E402
+from autograder.grading.graded_submission import Graded  # noqa: E402
 from autograder.grading.spread import Task  # noqa: E402
 from autograder.intake.submissions import Contents, Notebook, Submission  # noqa: E402
 from autograder.marking.marker import Marker  # noqa: E402

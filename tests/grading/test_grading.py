@@ -18,7 +18,7 @@ from autograder.intake.submissions import Contents, Notebook
 from autograder.marking import Mark
 from autograder.marking.marker import Marker
 from autograder.sandbox.launcher import Stopped
-from autograder.sandbox.stopped import out_of_time
+from autograder.sandbox.stop_errors import out_of_time
 from tests.toy import Toy
 
 RIGHT_ORDER = ["cup", "boil", "stir", "pour", "stir_again", "drink"]

@@ -5,11 +5,11 @@ from pathlib import Path
 
 import pytest
 
-from autograder.grading.crossing import pack_result, unpack_result
-from autograder.grading.graded import Graded
+from autograder.grading.cluster_messages import pack_result, unpack_result
+from autograder.grading.graded_submission import Graded
 from autograder.grading.spread import Task
 from autograder.grading.whole_class import grade_class
-from autograder.intake.find import find_submissions
+from autograder.intake.find_submissions import find_submissions
 from tests.classroom import graded, hand_in, make_course
 
 

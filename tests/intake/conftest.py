@@ -8,7 +8,7 @@ import pytest
 
 from autograder.cli import grading_run
 from autograder.course import Course
-from autograder.grading.graded import Graded
+from autograder.grading.graded_submission import Graded
 from autograder.grading.spread import Task
 from tests.classroom import make_course, mark
 

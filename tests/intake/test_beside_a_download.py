@@ -11,12 +11,12 @@ import pytest
 from autograder.course import Course
 from autograder.errors import UsageError
 from autograder.intake.class_list import ClassList
-from autograder.intake.find import Intake, take_in
+from autograder.intake.find_submissions import Intake, take_in
 from autograder.intake.handout import handout_of
 from autograder.intake.layouts.layout import Context
 from autograder.intake.origin import Claim, Origin
-from autograder.intake.people import read_people
 from autograder.intake.person import Person
+from autograder.intake.roster_exports import read_people
 from tests.classroom import START, notebook
 from tests.intake.classes import put, zipped
 

@@ -18,7 +18,7 @@ import pytest
 from autograder.cli import main
 from autograder.errors import AutograderError, UsageError
 from autograder.intake.drop_folder import collect
-from autograder.student.drop import drop
+from autograder.student.put_into_drop_folder import drop
 
 ADA, BOB, STUDENTS, STAFF = 64001, 64002, 64100, 64200
 MB = 2**20

@@ -8,7 +8,7 @@ import pytest
 
 from autograder.gradebook.changes import Change
 from autograder.intake.long_list import LongList
-from autograder.intake.matching import Match
+from autograder.intake.match_people import Match
 from autograder.intake.origin import Claim, Origin, Piece
 from autograder.intake.person import Person
 from autograder.intake.submissions import Submission

@@ -17,7 +17,7 @@ from hypothesis import strategies as st
 from autograder.course import Settings
 from autograder.errors import UsageError
 from autograder.exchange.responses import RECEIPT
-from autograder.intake.find import find_submissions
+from autograder.intake.find_submissions import find_submissions
 from autograder.intake.handout import Handout
 from autograder.intake.notebook_reader import Notebook, Unreadable, read_notebook
 from autograder.intake.submissions import Contents, Submission, read_submission

@@ -13,7 +13,7 @@ import pytest
 from autograder.cli import main
 from autograder.course import Course
 from autograder.intake.class_list import read_class_lists
-from autograder.intake.find import take_in
+from autograder.intake.find_submissions import take_in
 from autograder.intake.handout import handout_of
 from autograder.intake.layouts.layout import Context
 from autograder.intake.submissions import read_submission

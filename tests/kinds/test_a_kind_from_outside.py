@@ -27,7 +27,7 @@ from typing import Any
 import numpy as np
 
 from autograder.questions.answer import Alternative, Answer
-from autograder.questions.code import CodeKind
+from autograder.questions.code_kinds import CodeKind
 from autograder.questions.question import PointedQuestion
 from autograder.questions.mark import Mark, Part, status_for
 from msgspec import field

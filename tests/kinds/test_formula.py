@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from autograder.errors import CourseError
-from autograder.questions.formula import evaluate_formula
+from autograder.questions.key_formulas import evaluate_formula
 
 X = np.array([-2.5, -1.0, 0.5, 3.0])
 Y = np.array([0.25, 4.0, -1.5, 2.0])

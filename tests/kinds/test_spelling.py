@@ -10,9 +10,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from autograder.errors import UsageError
-from autograder.kinds.expression.inside.typed import read_expression
+from autograder.kinds.expression.inside.typed_formula import read_expression
 from autograder.kinds.expression.question import Expression
-from autograder.kinds.number.typed import read_number
+from autograder.kinds.number.typed_number import read_number
 
 NUMBERS = {"N": 1000, "w": 0.2, "p": 0.95, "x": 3, "alpha": 0.5}
 FORMULA = Expression(

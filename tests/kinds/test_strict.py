@@ -8,7 +8,7 @@ import pytest
 
 from autograder.errors import CourseError
 from autograder.kinds.number.answer import NumberAnswer
-from autograder.questions.strict import Place, read_table
+from autograder.questions.strict_reader import Place, read_table
 from autograder.questions.toml_lines import line_of
 
 TEXT = '''# a key

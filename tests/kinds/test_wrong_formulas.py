@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from autograder.kinds.expression.slopes import slopes
-from autograder.kinds.expression.wholes import terms, wholes
-from autograder.questions.formula import evaluate_formula
+from autograder.kinds.expression.wrong_throughout import terms, wholes
+from autograder.questions.key_formulas import evaluate_formula
 
 
 @pytest.mark.parametrize(

@@ -12,14 +12,14 @@ from autograder import language
 from autograder.diagnosis.relations import RELATIONS, looks_as_if
 from autograder.kinds.expression.diagnosis import _of_one_place
 from autograder.kinds.expression.slopes import slopes
-from autograder.kinds.expression.wholes import wholes
-from autograder.kinds.function.changes import changes
-from autograder.kinds.function.repairs import repairs
+from autograder.kinds.expression.wrong_throughout import wholes
+from autograder.kinds.function.changed_values import changes
+from autograder.kinds.function.right_but_for_form import repairs
 from autograder.kinds.function.slips import _WORDS, in_words
 from autograder.kinds.number.variations import variations
 from autograder.kinds.order.diagnosis import diagnose_order
 from autograder.mutants.formula_edits import edited_formulas
-from autograder.questions.formula import evaluate_formula
+from autograder.questions.key_formulas import evaluate_formula
 
 # Words of every second English sentence, and of no German one.
 ENGLISH = re.compile(r"\b(the|is|are|of|and|not|stands?|returned|result|results|asked)\b")

@@ -93,14 +93,15 @@ def test_no_translation_is_left_of_a_sentence_that_is_gone(path: Path):
 
 # Where a sentence may reach a student, and the modules there that speak to authors only.
 ROOMS = ("student", "questions", "kinds", "marking", "diagnosis", "grading/chapter.py",
-         "grading/own_exceptions.py", "exchange/why_unusable.py", "gradebook/scheme.py",
-         "sandbox/stopped.py", "reports/feedback_html.py", "course/predictions.py",
+         "grading/own_exceptions.py", "exchange/why_unusable.py", "gradebook/grading_scheme.py",
+         "sandbox/stop_errors.py", "reports/feedback_html.py", "course/predictions.py",
          "grading/numbers_of_others.py", "intake/notebook_reader.py", "intake/archive.py",
-         "intake/handed_in.py", "intake/kept_files.py")  # fmt: skip
-OF_AUTHORS = {"answer.py", "question.py", "trial.py", "promises.py", "sensible.py", "stub.py",
-              "expected.py", "strict.py", "toml_lines.py", "written.py", "registry.py",
-              "formula.py", "variables.py", "exercise.py", "draw.py", "marker.py",
-              "marker_process.py", "take_snapshot.py", "reference_failures.py"}  # fmt: skip
+         "intake/read_files.py", "intake/wanted_files.py")  # fmt: skip
+OF_AUTHORS = {"answer.py", "question.py", "trial.py", "raises_promises.py", "sensible.py",
+              "stub.py", "expected.py", "strict_reader.py", "toml_lines.py", "author_tables.py",
+              "registry.py", "key_formulas.py", "variables.py", "exercise.py", "draw.py",
+              "marker.py", "marker_process.py", "take_snapshot.py",
+              "reference_failures.py"}  # fmt: skip
 TO_AUTHORS = {"CourseError", "FieldError", "ValueError", "problems", "unsound", "poor_draw",
               "poor_value", "too_few_mistakes", "check_answer", "other_mistakes"}  # fmt: skip
 

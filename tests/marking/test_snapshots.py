@@ -12,8 +12,8 @@ from autograder.errors import CourseError
 from autograder.kinds.expression.marking import hidden_points
 from autograder.kinds.expression.snapshot import take_snapshot
 from autograder.marking.snapshots import SnapshotMarker, recorded
+from autograder.questions.json_arrays import pack
 from autograder.questions.mark import Mark
-from autograder.questions.pack import pack
 
 RECORDED = "Recorded. It will be marked after you hand in."
 

@@ -15,7 +15,7 @@ import pytest
 from autograder import me
 from autograder.authoring.build import build_student_notebooks, unexecuted_solved_notebooks
 from autograder.course import Course, load_course
-from autograder.course.filling import value_of
+from autograder.course.placeholders import value_of
 
 ROOT = Path(__file__).parents[2]
 NAMES = ("boole", "kepler", "hopper")

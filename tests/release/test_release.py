@@ -24,8 +24,8 @@ from autograder.errors import CourseError, UsageError
 from autograder.kinds.expression.answer import ExpressionAnswer
 from autograder.kinds.function.answer import FunctionAnswer
 from autograder.marking.snapshots import SnapshotMarker
-from autograder.questions.formula import evaluate_formula
-from autograder.questions.pack import pack, unpack
+from autograder.questions.json_arrays import pack, unpack
+from autograder.questions.key_formulas import evaluate_formula
 from autograder.questions.registry import kind_of
 from autograder.release.bundle import release
 from autograder.release.leaks import leaks

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from autograder.authoring.practice import PRACTICE
+from autograder.authoring.practice_key import PRACTICE
 from autograder.course import Course, load_course
 from autograder.course.places import make_places
 from autograder.course.settings import read_settings

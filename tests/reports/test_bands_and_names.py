@@ -5,9 +5,9 @@ from __future__ import annotations
 import re
 
 from autograder.reports.class_html import _BANDS
+from autograder.reports.color_patterns import definitions, fill_of
 from autograder.reports.markdown import isolated
-from autograder.reports.patterns import definitions, fill_of
-from autograder.reports.svg import Chart, swatch
+from autograder.reports.svg_charts import Chart, swatch
 
 
 def test_no_two_bands_have_one_pattern_and_each_pattern_is_defined():

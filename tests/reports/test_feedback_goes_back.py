@@ -22,11 +22,11 @@ import pytest
 
 from autograder.course import Course
 from autograder.gradebook import Record
-from autograder.grading.graded import Graded
+from autograder.grading.graded_submission import Graded
 from autograder.intake.origin import Claim, Origin, Piece
 from autograder.intake.person import Person
 from autograder.intake.submissions import Submission
-from autograder.reports.page import page
+from autograder.reports.html_page import page
 from autograder.reports.returning import Page, canvas_files, messages, moodle_files, plain_files
 from autograder.reports.returning.mail import MailError, as_parcel, send
 from tests.classroom import all_marks, make_course

@@ -161,7 +161,7 @@ def test_what_is_no_line_is_not_drawn(value: object):
 
 def test_only_a_value_for_the_very_first_case_can_be_shown(course: Course):
     """A function that has met hidden inputs could carry them out in a later value."""
-    from autograder.kinds.function.shown import shown_outcome
+    from autograder.kinds.function.drawn_outcomes import shown_outcome
 
     hidden_first = [{"name": "a", "args": []}, {"name": "b", "args": [], "public": True}]
     assert shown_outcome(hidden_first, [{"value": 1.0}, {"value": 2.0}]) is None

@@ -12,8 +12,8 @@ from autograder.course import Course, load_course
 from autograder.gradebook import Override, Record, Run
 from autograder.reports.class_html import class_html
 from autograder.reports.feedback_html import Feedback, feedback_html
-from autograder.reports.files import write_text
 from autograder.reports.pictures import Pictures
+from autograder.reports.whole_files import write_text
 from tests.classroom import graded, hostile_mark, mark
 
 REPOSITORY = Path(__file__).parents[2]

@@ -7,7 +7,7 @@ import pytest
 
 from autograder.gradebook import Gradebook
 from autograder.gradebook.record import names_of
-from autograder.reports.gather import MOST_NAMED, gather
+from autograder.reports.class_summary import MOST_NAMED, gather
 from autograder.reports.write import Options, write_reports
 from tests.classroom import all_marks, fill, graded, make_course
 

@@ -13,7 +13,6 @@ from autograder.gradebook import Record
 from autograder.marking import Part
 from autograder.reports.class_csv import write_class_csv
 from autograder.reports.class_html import class_html
-from autograder.reports.files import cell, file_name
 from autograder.reports.statistics import (
     FEWEST,
     Together,
@@ -21,7 +20,8 @@ from autograder.reports.statistics import (
     question_statistics,
     who_needs_help,
 )
-from autograder.reports.svg import ticks
+from autograder.reports.svg_charts import ticks
+from autograder.reports.whole_files import cell, file_name
 from tests.classroom import all_marks, graded, make_course, mark
 
 

@@ -10,8 +10,8 @@ import pytest
 from autograder.cli import main
 from autograder.course import Course
 from autograder.gradebook import Gradebook, Record
+from autograder.gradebook.grading_scheme import plain_scheme
 from autograder.gradebook.record import Override
-from autograder.gradebook.scheme import plain_scheme
 from autograder.intake.class_list import ClassList
 from autograder.intake.person import Person
 from autograder.reports.class_html import class_html

@@ -8,7 +8,7 @@ import pytest
 
 from autograder.course import Course, load_course
 from autograder.grading.submission import grade_contents
-from autograder.intake.find import find_submissions
+from autograder.intake.find_submissions import find_submissions
 from autograder.intake.submissions import Contents, Notebook, read_submission
 from autograder.marking import Mark
 from autograder.marking.marker import Marker

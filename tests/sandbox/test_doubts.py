@@ -14,8 +14,8 @@ import pytest
 from attacks import CASE, LIMITS
 
 from autograder.cli import main
-from autograder.sandbox.doubt import Doubt
 from autograder.sandbox.launcher import Sandbox, Stopped
+from autograder.sandbox.machine_to_blame import Doubt
 from autograder.sandbox.processes import descendants
 from autograder.sandbox.session import Session
 from tests.classroom import hand_in, make_course

@@ -9,13 +9,13 @@ import pytest
 from attacks import check_good
 
 from autograder.sandbox import host
-from autograder.sandbox.identity import OwnIdentity
 from autograder.sandbox.launcher import Sandbox
+from autograder.sandbox.own_user import OwnIdentity
 from autograder.sandbox.processes import users
 
 as_root = pytest.mark.skipif(os.geteuid() != 0, reason="only root can take another identity")
 HOLD = """
-from autograder.sandbox.identity import OwnIdentity
+from autograder.sandbox.own_user import OwnIdentity
 mine = OwnIdentity()
 print(mine.number, flush=True)
 input()

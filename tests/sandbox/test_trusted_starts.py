@@ -45,7 +45,9 @@ def test_outside_of_the_sandbox_no_module_of_the_course_is_imported(tmp_path):
     package = str(host._PACKAGE.parent)
     environment = {**os.environ, "PYTHONPATH": f"{tmp_path}{os.pathsep}{package}"}
     subprocess.run(
-        [sys.executable, "-P", "-m", "autograder.sandbox.inside.warm"], env=environment, check=True
+        [sys.executable, "-P", "-m", "autograder.sandbox.inside.warm_imports"],
+        env=environment,
+        check=True,
     )
     assert not mark.exists()
 

@@ -16,13 +16,13 @@ from autograder.course import load_course
 from autograder.course.predictions import Prediction
 from autograder.errors import CourseError, UsageError
 from autograder.gradebook import Gradebook, Record
-from autograder.grading.graded import Graded
+from autograder.grading.graded_submission import Graded
 from autograder.grading.submission import predictions_of
 from autograder.intake.notebook_reader import Notebook
 from autograder.intake.submissions import Contents, Submission, read_submission
 from autograder.marking import Mark
 from autograder.reports.class_html import class_html
-from autograder.reports.gather import gather
+from autograder.reports.class_summary import gather
 from autograder.reports.predictions import Predicted, predictions_html
 from autograder.student.desk import Desk
 from autograder.student.receipts import RECEIPT

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from autograder import ask, progress
-from autograder.student import frontend, live
+from autograder.student import frontend, live_view
 from autograder.student.receipts import RECEIPT
 
 
@@ -96,7 +96,7 @@ def test_a_widget_has_its_plain_form_beside_it_and_a_receipt_below(
     asked = ask("Q1")
     asked._ipython_display_()
     widget, receipt = shown
-    assert {live.WIDGET_VIEW, "text/plain", "text/markdown"} <= widget.keys()
+    assert {live_view.WIDGET_VIEW, "text/plain", "text/markdown"} <= widget.keys()
     assert "An apple tree has cones." in str(widget["text/markdown"])
     assert "Kept for Q1: nothing yet" in str(receipt["text/plain"])
     assert asked.respond([False, True]).mark.status == "right"

@@ -9,10 +9,10 @@ import pytest
 import sympy as sp
 
 from autograder.errors import UsageError
-from autograder.kinds.expression.inside.typed import read_expression
+from autograder.kinds.expression.inside.typed_formula import read_expression
 from autograder.kinds.expression.question import Expression
 from autograder.kinds.number.question import Number
-from autograder.kinds.number.typed import read_number
+from autograder.kinds.number.typed_number import read_number
 from autograder.kinds.true_false.question import TrueFalse
 from autograder.questions.registry import kind_of
 

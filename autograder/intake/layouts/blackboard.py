@@ -9,6 +9,8 @@ from __future__ import annotations
 import re
 
 from autograder.intake.archive import shown
+from autograder.intake.download_names import SystemName, blackboard_name
+from autograder.intake.file_or_zip import Place
 from autograder.intake.layouts.layout import (
     Context,
     Entry,
@@ -18,10 +20,8 @@ from autograder.intake.layouts.layout import (
     pieces_of,
     side_entry,
 )
-from autograder.intake.names import SystemName, blackboard_name
 from autograder.intake.notebook_reader import Unreadable
 from autograder.intake.origin import LAYOUT, Claim, Origin
-from autograder.intake.place import Place
 
 _NAME = re.compile(r"^\s*Name:\s*(?P<name>.*?)\s*(?:\((?P<login>[^()]*)\))?\s*$", re.MULTILINE)
 

@@ -11,10 +11,10 @@ from __future__ import annotations
 import re
 from pathlib import PurePosixPath
 
+from autograder.intake.download_names import SystemName, canvas_name
+from autograder.intake.file_or_zip import Place
 from autograder.intake.layouts.layout import Context, Entry, Found, fit_most, pieces_of, side_entry
-from autograder.intake.names import SystemName, canvas_name
 from autograder.intake.origin import Origin
-from autograder.intake.place import Place
 
 _VERSION = re.compile(r"-(\d{1,4})\Z")
 

@@ -9,10 +9,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from datetime import datetime, timedelta
 
+from autograder.intake.file_or_zip import Place
 from autograder.intake.layouts.layout import Context, Entry, Found, side_entry, visible
 from autograder.intake.origin import LAYOUT, Claim, Origin, Piece
 from autograder.intake.person import Person
-from autograder.intake.place import Place
 from autograder.intake.repository import Commit, choose_commits
 
 _COLLECTION = "-submissions"

@@ -8,11 +8,11 @@ time of the download. (mod/assign/classes/downloader.php of moodle/moodle)
 
 from __future__ import annotations
 
+from autograder.intake.download_names import SystemName, moodle_name
+from autograder.intake.file_or_zip import Place
 from autograder.intake.layouts.layout import Context, Entry, Found, fit_most, pieces_of, side_entry
-from autograder.intake.matching import is_anonymous
-from autograder.intake.names import SystemName, moodle_name
+from autograder.intake.match_people import is_anonymous
 from autograder.intake.origin import Origin
-from autograder.intake.place import Place
 
 
 class Moodle:

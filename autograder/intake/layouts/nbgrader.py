@@ -11,10 +11,10 @@ from zoneinfo import ZoneInfo, ZoneInfoNotFoundError
 
 from autograder.errors import UsageError
 from autograder.intake.archive import shown
+from autograder.intake.file_or_zip import Place, is_notebook_name, is_system
 from autograder.intake.layouts.layout import Context, Entry, Found, fit_most, side_entry, visible
 from autograder.intake.notebook_reader import Unreadable
 from autograder.intake.origin import LAYOUT, Claim, Origin
-from autograder.intake.place import Place, is_notebook_name, is_system
 
 TIMESTAMP = "timestamp.txt"
 SUBMITTED = "submitted"

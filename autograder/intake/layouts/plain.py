@@ -21,17 +21,17 @@ from pathlib import PurePath
 
 from autograder.errors import UsageError
 from autograder.intake.archive import shown
-from autograder.intake.layouts.layout import Context, Entry, Found, visible
-from autograder.intake.notebook_reader import Unreadable, read_notebook
-from autograder.intake.origin import Claim, Origin
-from autograder.intake.own_files import OWN, SIDE, is_reports, is_side_file
-from autograder.intake.place import (
+from autograder.intake.autograder_files import OWN, SIDE, is_reports, is_side_file
+from autograder.intake.file_or_zip import (
     Place,
     as_folder_if_readable,
     is_notebook_name,
     is_system,
     is_zip,
 )
+from autograder.intake.layouts.layout import Context, Entry, Found, visible
+from autograder.intake.notebook_reader import Unreadable, read_notebook
+from autograder.intake.origin import Claim, Origin
 from autograder.intake.submissions import student_name
 
 CLASS, ONE = "class", "one"
@@ -216,7 +216,7 @@ def is_generic(stem: str, context: Context) -> bool:
 
 def is_person(place: Place, context: Context) -> bool:
     """Whether a place is called like somebody in the class list."""
-    from autograder.intake.matching import match_all
+    from autograder.intake.match_people import match_all
 
     if not context.people:
         return False

@@ -8,7 +8,7 @@ from msgspec import Meta, field
 
 from autograder.kinds.expression.question import Expression
 from autograder.questions.answer import Answer, PublicAlternative
-from autograder.questions.written import FieldError, Text
+from autograder.questions.author_tables import FieldError, Text
 
 
 class ExpressionAlternative(PublicAlternative, frozen=True, kw_only=True):

@@ -20,12 +20,12 @@ from autograder.kinds.expression.answer import ExpressionAlternative, Expression
 from autograder.kinds.expression.equal_values import Points, same_values
 from autograder.kinds.expression.question import Expression
 from autograder.kinds.expression.slopes import slopes
-from autograder.kinds.expression.wholes import terms, wholes
+from autograder.kinds.expression.wrong_throughout import terms, wholes
 from autograder.language import N_, _, chosen
 from autograder.mutants.formula_edits import edited_formulas
 from autograder.mutants.mutant import Mutant
 from autograder.questions.drawn import NOTHING_AROUND, Around
-from autograder.questions.formula import evaluate_formula
+from autograder.questions.key_formulas import evaluate_formula
 
 _MOST_TERMS = 8  # that a fit may have, of 24 points
 _FACTORS = {2.0: "doubled", 0.5: "halved", -1.0: "turned", 0.0: "missing", -2.0: "turned"}

@@ -22,11 +22,11 @@ from autograder.kinds.expression.trial import ExpressionTrial
 from autograder.language import _
 from autograder.mutants.mutant import Trial
 from autograder.questions.answer import Alternative
-from autograder.questions.code import CodeKind
+from autograder.questions.code_kinds import CodeKind
 from autograder.questions.drawn import Drawn
-from autograder.questions.formula import evaluate_formula
+from autograder.questions.key_formulas import evaluate_formula
 from autograder.questions.mark import Mark
-from autograder.questions.typed import assign_if_open
+from autograder.questions.typed_text import assign_if_open
 
 if TYPE_CHECKING:
     from autograder.kinds.expression.widget import ExpressionWidget
@@ -51,12 +51,12 @@ class ExpressionKind(CodeKind[Expression, ExpressionAnswer]):
     def read_typed(
         self, question: Expression, text: str, variables: Mapping[str, object]
     ) -> tuple[object, object]:
-        from autograder.kinds.expression.inside.typed import read_expression
+        from autograder.kinds.expression.inside.typed_formula import read_expression
 
         return read_expression(question, text), text.strip()
 
     def typed_value(self, question: Expression, response: Value) -> object:
-        from autograder.kinds.expression.inside.typed import read_expression
+        from autograder.kinds.expression.inside.typed_formula import read_expression
 
         try:
             return read_expression(question, response)
@@ -67,7 +67,7 @@ class ExpressionKind(CodeKind[Expression, ExpressionAnswer]):
         if not isinstance(response, str):
             return None
         # Read where the notebook runs: only there is sympy, which executes what it reads.
-        module = "autograder.kinds.expression.inside.typed"
+        module = "autograder.kinds.expression.inside.typed_formula"
         call = f"__import__({module!r}, fromlist=['_']).formula_of({question.id!r}, {response!r})"
         return assign_if_open(question.variable, call)
 
@@ -134,7 +134,7 @@ class ExpressionKind(CodeKind[Expression, ExpressionAnswer]):
         return ExpressionTrial(question, answer, draw)
 
     def variant(self, question: Expression, written: Value) -> Value:
-        from autograder.kinds.expression.inside.typed import in_a_cell
+        from autograder.kinds.expression.inside.typed_formula import in_a_cell
 
         return in_a_cell(written)
 

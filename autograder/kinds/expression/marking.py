@@ -14,7 +14,7 @@ from autograder.kinds.expression.equal_values import Points, nearly_equal, same_
 from autograder.kinds.expression.question import Expression
 from autograder.language import _
 from autograder.questions.drawn import NOTHING_AROUND, Around
-from autograder.questions.formula import evaluate_formula
+from autograder.questions.key_formulas import evaluate_formula
 from autograder.questions.mark import Mark, status_for
 
 POINT_COUNT = 24

@@ -14,7 +14,7 @@ from autograder.kinds.expression.equal_values import Points, nearly_equal, same_
 from autograder.kinds.expression.marking import POINT_COUNT
 from autograder.kinds.expression.question import Expression
 from autograder.language import _
-from autograder.questions.formula import evaluate_formula
+from autograder.questions.key_formulas import evaluate_formula
 from autograder.questions.mark import Mark
 from autograder.questions.snapshot import LATER, wrong
 

@@ -13,7 +13,7 @@ from autograder.kinds.expression.marking import hidden_points, mark_expression
 from autograder.kinds.expression.question import Expression
 from autograder.mutants.formula_edits import edited_formulas
 from autograder.mutants.mutant import Trial
-from autograder.questions.formula import evaluate_formula
+from autograder.questions.key_formulas import evaluate_formula
 
 
 class ExpressionTrial(Trial):

@@ -13,8 +13,8 @@ import numpy as np
 from autograder.diagnosis.effort import Effort, numbers_in
 from autograder.diagnosis.relations import Diagnosis, looks_as_if
 from autograder.exchange.messages import Value, Values
-from autograder.kinds.function.changes import Change, changes
-from autograder.kinds.function.repairs import Repair, repairs
+from autograder.kinds.function.changed_values import Change, changes
+from autograder.kinds.function.right_but_for_form import Repair, repairs
 from autograder.language import _
 
 _MOST_STEPS = 1_000_000  # for one response, some 0.1 s of a processor

@@ -35,7 +35,7 @@ from autograder.kinds.function.marking import Compare, Outcome, agrees
 from autograder.kinds.function.slips import VAGUE, in_words, slips
 from autograder.kinds.function.trial import mutants_of, outcome_of
 from autograder.language import _
-from autograder.mutants.clones import codes_of, reachable, tree_of, with_changed
+from autograder.mutants.changed_functions import codes_of, reachable, tree_of, with_changed
 from autograder.mutants.mutant import Mutant, OutOfTime
 
 # In lines that the reference runs, some 2 to 5 million a second of a processor.

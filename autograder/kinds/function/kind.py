@@ -13,10 +13,10 @@ from autograder.exchange.messages import Value
 from autograder.kinds.function import snapshot as examples
 from autograder.kinds.function.answer import FunctionAnswer
 from autograder.kinds.function.expected import draw
+from autograder.kinds.function.functions_to_read import draw_reading
 from autograder.kinds.function.marking import mark_function
-from autograder.kinds.function.promises import promises
 from autograder.kinds.function.question import Function
-from autograder.kinds.function.reading import draw_reading
+from autograder.kinds.function.raises_promises import promises
 from autograder.kinds.function.reference_failures import other_counts, reference_failures
 from autograder.kinds.function.stub import function_stub, reference_source
 from autograder.kinds.function.take_snapshot import take_snapshot
@@ -24,10 +24,10 @@ from autograder.kinds.function.trial import FunctionTrial
 from autograder.language import N_
 from autograder.mutants.mutant import Trial
 from autograder.questions.answer import Alternative
-from autograder.questions.code import CodeKind
+from autograder.questions.code_kinds import CodeKind
 from autograder.questions.drawn import Drawn
+from autograder.questions.functions_to_read import Reading
 from autograder.questions.mark import Mark
-from autograder.questions.reading import Reading
 
 if TYPE_CHECKING:
     from autograder.kinds.function.widget import FunctionWidget

@@ -17,10 +17,10 @@ from autograder.exchange.why_unusable import REASONS
 from autograder.kinds.function.answer import FunctionAlternative, FunctionAnswer
 from autograder.kinds.function.credit import partial_credit
 from autograder.kinds.function.diagnosis import diagnose_function
+from autograder.kinds.function.drawn_outcomes import shown_outcome
 from autograder.kinds.function.draws import drew
 from autograder.kinds.function.hints import hints
 from autograder.kinds.function.question import Function
-from autograder.kinds.function.shown import shown_outcome
 from autograder.language import _
 from autograder.questions.mark import NO_VALUE, Mark, Part, status_for
 

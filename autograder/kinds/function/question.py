@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from autograder.questions.author_tables import PythonName, check_python_name
 from autograder.questions.question import PointedQuestion
-from autograder.questions.written import PythonName, check_python_name
 
 
 class Function(PointedQuestion, frozen=True, kw_only=True, tag="function"):

@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from itertools import combinations
 
 from autograder.language import N_, _
-from autograder.mutants.edits import Edit
+from autograder.mutants.code_edits import Edit
 
 _FEW_NAMES = 4  # in one line
 _RELATIVES: dict[str, tuple[str, ...]] = {

@@ -12,7 +12,7 @@ from autograder.kinds.function.diagnosis import diagnose_function
 from autograder.kinds.function.hints import hints
 from autograder.kinds.function.marking import agrees, close, nearly
 from autograder.kinds.function.question import Function
-from autograder.kinds.function.relaxed import is_far
+from autograder.kinds.function.snapshot_tolerances import is_far
 from autograder.language import _, n_
 from autograder.questions.mark import Mark, Part, stopped
 from autograder.questions.snapshot import LATER

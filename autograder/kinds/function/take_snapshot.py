@@ -7,9 +7,9 @@ inputs that grade; a hidden case that is the same in every draw is never used.
 A check in the bundle compares numbers and has no other code. Where the key's own comparison
 forgives more (indices in any order, a normal turned round), the snapshot says so and holds what the
 known mistakes give: what equals one of those is wrong, and so is what is far off where that is
-known to be refused (`autograder.kinds.function.relaxed`); any other difference is left open. Where
-the key also takes what was computed with single precision on the way, as by OpenCV, so does the
-check.
+known to be refused (`autograder.kinds.function.snapshot_tolerances`); any other difference is left
+open. Where the key also takes what was computed with single precision on the way, as by OpenCV, so
+does the check.
 
 Mistakes that are public are named, with their feedback, by what they give on these cases; where two
 of them give the same, one more case tells them apart.
@@ -25,8 +25,8 @@ import numpy as np
 from autograder.exchange.messages import Value
 from autograder.kinds.function.answer import FunctionAnswer
 from autograder.kinds.function.marking import Expected, agrees, close
-from autograder.kinds.function.relaxed import changed_throughout, far_off
-from autograder.questions.pack import pack
+from autograder.kinds.function.snapshot_tolerances import changed_throughout, far_off
+from autograder.questions.json_arrays import pack
 
 
 def take_snapshot(

@@ -17,10 +17,10 @@ from autograder.exchange.messages import Value, Values
 from autograder.kinds.function.answer import FunctionAnswer
 from autograder.kinds.function.inside.evaluate import evaluate
 from autograder.kinds.function.marking import Outcome, agrees, close
-from autograder.mutants.clones import codes_of, reachable, tree_of, with_changed
-from autograder.mutants.edits import MoreEdits, begin_with, described, edited
-from autograder.mutants.limit import time_limit
+from autograder.mutants.changed_functions import codes_of, reachable, tree_of, with_changed
+from autograder.mutants.code_edits import MoreEdits, begin_with, described, edited
 from autograder.mutants.mutant import Mutant, Trial
+from autograder.mutants.time_limit import time_limit
 
 # A mutant has lost that takes longer for a case than this, and so many times the reference's time.
 _LEAST_SECONDS = 0.5  # of a processor

@@ -10,13 +10,13 @@ from autograder.kinds.number.answer import NumberAlternative, NumberAnswer
 from autograder.kinds.number.marking import mark_number
 from autograder.kinds.number.question import Number
 from autograder.kinds.number.sensible import not_sensible
-from autograder.kinds.number.typed import read_number
+from autograder.kinds.number.typed_number import read_number
 from autograder.language import _
 from autograder.questions.answer import Alternative
-from autograder.questions.code import CodeKind
+from autograder.questions.code_kinds import CodeKind
 from autograder.questions.drawn import Drawn
 from autograder.questions.mark import Mark
-from autograder.questions.typed import assign_if_open
+from autograder.questions.typed_text import assign_if_open
 
 if TYPE_CHECKING:
     from autograder.kinds.number.widget import NumberWidget

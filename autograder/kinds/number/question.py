@@ -6,8 +6,8 @@ from typing import Annotated
 
 from msgspec import Meta
 
+from autograder.questions.author_tables import FieldError, PythonName, check_python_name
 from autograder.questions.question import PointedQuestion
-from autograder.questions.written import FieldError, PythonName, check_python_name
 
 
 class Number(PointedQuestion, frozen=True, kw_only=True, tag="number"):

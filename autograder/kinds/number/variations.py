@@ -16,7 +16,7 @@ from collections.abc import Callable, Iterator, Mapping
 import numpy as np
 
 from autograder.language import N_, _
-from autograder.questions.formula import Term
+from autograder.questions.key_formulas import Term
 
 _MODULES = {"math": math, "np": np}
 _MOST_NODES = 60  # of a formula; a longer one is a program

@@ -10,7 +10,7 @@ from msgspec import Meta, field
 
 from autograder.kinds.order.question import Order
 from autograder.questions.answer import Alternative, Answer
-from autograder.questions.written import Credit, FieldError, Text
+from autograder.questions.author_tables import Credit, FieldError, Text
 
 
 class OrderAlternative(Alternative, frozen=True, kw_only=True):

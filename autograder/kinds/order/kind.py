@@ -11,7 +11,7 @@ from autograder.kinds.order.answer import OrderAnswer, alike, check_order
 from autograder.kinds.order.marking import is_right, mark_order, transitive_closure
 from autograder.kinds.order.question import Order
 from autograder.language import N_
-from autograder.questions.choice import ChoiceKind
+from autograder.questions.choice_kinds import ChoiceKind
 from autograder.questions.mark import Mark
 
 if TYPE_CHECKING:

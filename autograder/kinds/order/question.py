@@ -6,8 +6,8 @@ from typing import Annotated
 
 from msgspec import Meta
 
+from autograder.questions.author_tables import FieldError, Text, Written, second_of
 from autograder.questions.question import PointedQuestion
-from autograder.questions.written import FieldError, Text, Written, second_of
 
 
 class Card(Written, frozen=True):

@@ -21,15 +21,15 @@ from typing import Annotated
 from msgspec import Meta, field
 
 from autograder.kinds.text.question import Text
-from autograder.questions import written
+from autograder.questions import author_tables
 from autograder.questions.answer import Answer
-from autograder.questions.written import FieldError, Written, second_of
+from autograder.questions.author_tables import FieldError, Written, second_of
 
 
 class Level(Written, frozen=True, kw_only=True):
     """How well a criterion is met, what that earns, and what a student is told."""
 
-    name: written.Text
+    name: author_tables.Text
     points: Annotated[float, Meta(ge=0)]
     feedback: str = ""
 
@@ -37,7 +37,7 @@ class Level(Written, frozen=True, kw_only=True):
 class Criterion(Written, frozen=True, kw_only=True):
     """One thing to look for, with its levels from best to worst."""
 
-    name: written.Text
+    name: author_tables.Text
     levels: tuple[Level, ...]
 
     def __post_init__(self) -> None:
@@ -58,7 +58,7 @@ class Criterion(Written, frozen=True, kw_only=True):
 class TextAnswer(Answer, frozen=True, kw_only=True):
     """The key to a text question: the rubric, and ``model``, an answer that earns all points."""
 
-    model: written.Text
+    model: author_tables.Text
     rubric: Annotated[tuple[Criterion, ...], Meta(min_length=1)] = field(name="criterion")
 
     def __post_init__(self) -> None:

@@ -11,7 +11,7 @@ from autograder.kinds.text import question as asked
 from autograder.kinds.text.answer import TextAnswer, check_text
 from autograder.kinds.text.question import Text
 from autograder.language import _
-from autograder.questions.choice import ChoiceKind
+from autograder.questions.choice_kinds import ChoiceKind
 from autograder.questions.mark import Mark, not_attempted
 
 if TYPE_CHECKING:

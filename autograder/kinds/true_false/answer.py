@@ -5,7 +5,7 @@ from __future__ import annotations
 from msgspec import field
 
 from autograder.questions.answer import Answer
-from autograder.questions.written import FieldError, Text, Written
+from autograder.questions.author_tables import FieldError, Text, Written
 
 
 class Statement(Written, frozen=True, kw_only=True):

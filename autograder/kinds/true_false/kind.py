@@ -10,9 +10,9 @@ from autograder.kinds.true_false.answer import TrueFalseAnswer
 from autograder.kinds.true_false.marking import mark_true_false
 from autograder.kinds.true_false.question import TrueFalse
 from autograder.language import _
-from autograder.questions.choice import ChoiceKind
+from autograder.questions.author_tables import FieldError
+from autograder.questions.choice_kinds import ChoiceKind
 from autograder.questions.mark import Mark
-from autograder.questions.written import FieldError
 
 if TYPE_CHECKING:
     from autograder.kinds.true_false.widget import TrueFalseWidget

@@ -6,8 +6,8 @@ from typing import Annotated, ClassVar
 
 from msgspec import Meta
 
+from autograder.questions.author_tables import FieldError, Text, second_of
 from autograder.questions.question import Question
-from autograder.questions.written import FieldError, Text, second_of
 
 
 class TrueFalse(Question, frozen=True, kw_only=True, tag="true_false"):

@@ -12,13 +12,13 @@ import zipfile
 from collections.abc import Sequence
 from pathlib import Path
 
-from autograder.authoring.pyproject import bundle_pyproject
+from autograder.authoring.bundle_pyproject import bundle_pyproject
 from autograder.course import Course
 from autograder.course.places import FILE as PLACES
 from autograder.gradebook.record import Record
-from autograder.release.files import grader_files
+from autograder.release.file_rules import grader_files
 from autograder.release.gradescope.results import results
-from autograder.reports.files import file_name, write_text
+from autograder.reports.whole_files import file_name, write_text
 
 _SETUP = """#!/usr/bin/env bash
 # Runs once, when Gradescope builds the image.

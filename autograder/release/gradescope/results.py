@@ -10,7 +10,7 @@ from autograder.course.questions import Question
 from autograder.gradebook.record import Record
 from autograder.marking import Mark
 from autograder.questions.status import Status
-from autograder.reports.machine import most_points
+from autograder.reports.json_output import most_points
 from autograder.reports.terminal import printable
 
 

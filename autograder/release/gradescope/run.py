@@ -16,14 +16,14 @@ from pathlib import Path
 
 from autograder.course import load_course
 from autograder.gradebook.record import Record
-from autograder.grading.graded import Graded
+from autograder.grading.graded_submission import Graded
 from autograder.grading.threads import Threads
 from autograder.grading.whole_class import grade_class
 from autograder.intake.submissions import Submission
 from autograder.marking.marker import Marker
 from autograder.release.gradescope.results import failure, results
-from autograder.reports.files import write_text
-from autograder.reports.machine import most_points
+from autograder.reports.json_output import most_points
+from autograder.reports.whole_files import write_text
 from autograder.sandbox.launcher import SandboxError
 
 

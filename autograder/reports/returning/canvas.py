@@ -18,7 +18,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import PurePath
 
 from autograder.gradebook.record import Record
-from autograder.intake.names import SystemName, canvas_name
+from autograder.intake.download_names import SystemName, canvas_name
 from autograder.reports.returning.parcel import Left, Page, Parcel
 
 FILE = "feedback.html"

@@ -21,9 +21,9 @@ from autograder.errors import AutograderError
 from autograder.exchange.printable import printable
 from autograder.gradebook.record import Record
 from autograder.intake.person import Person
-from autograder.reports.files import file_name
-from autograder.reports.machine import most_for
+from autograder.reports.json_output import most_for
 from autograder.reports.returning.parcel import Left, Page, Parcel
+from autograder.reports.whole_files import file_name
 
 
 class MailError(AutograderError):

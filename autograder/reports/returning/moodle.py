@@ -13,8 +13,8 @@ import re
 from collections.abc import Sequence
 
 from autograder.gradebook.record import Record
-from autograder.intake.matching import groups_of, plain_name
-from autograder.intake.names import claim_of
+from autograder.intake.download_names import claim_of
+from autograder.intake.match_people import groups_of, plain_name
 from autograder.reports.returning.parcel import Left, Page, Parcel
 
 FILE = "feedback.html"

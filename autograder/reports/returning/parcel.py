@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from autograder.gradebook.record import Record
-from autograder.reports.files import replacing
+from autograder.reports.whole_files import replacing
 
 
 @dataclass(frozen=True)

@@ -6,8 +6,8 @@ import re
 from collections.abc import Sequence
 
 from autograder.gradebook.record import Record, names_of
-from autograder.reports.files import file_name
 from autograder.reports.returning.parcel import Page, Parcel
+from autograder.reports.whole_files import file_name
 
 FILE = "feedback.html"
 

@@ -40,12 +40,12 @@ from typing import NoReturn
 
 from autograder.exchange.messages import Message
 from autograder.sandbox import landlock, lockdown, seccomp
-from autograder.sandbox.inside.serve import prepare_process, serve
-from autograder.sandbox.inside.warm import warm
+from autograder.sandbox.empty_folder import empty
+from autograder.sandbox.inside.notebook_child import prepare_process, serve
+from autograder.sandbox.inside.warm_imports import warm
 from autograder.sandbox.own_time import OwnTime
 from autograder.sandbox.processes import Usage, descendants, end_all_others, end_leftovers, tasks_of
-from autograder.sandbox.removal import empty
-from autograder.sandbox.stopped import BY_SIGNAL
+from autograder.sandbox.stop_errors import BY_SIGNAL
 
 _CONFINED = b"confined"
 _ZYGOTE_IS_TAKEN, _CHILD_IS_TAKEN = 900, 1000  # of 1000: what the kernel ends first for memory

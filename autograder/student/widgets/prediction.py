@@ -6,7 +6,7 @@ from autograder.course.predictions import Prediction
 from autograder.errors import UsageError
 from autograder.exchange.messages import Message
 from autograder.language import _
-from autograder.questions.typed import parse, value_of
+from autograder.questions.typed_text import parse, value_of
 from autograder.reports.markdown import inline, markdown
 from autograder.student.desk import Desk
 from autograder.student.widgets.base import CourseWidget, receipt_output, source

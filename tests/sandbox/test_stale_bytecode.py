@@ -1,0 +1,97 @@
+"""Compiled modules that are of no use, as in an environment that was copied."""
+
+import os
+import py_compile
+import shutil
+import subprocess
+import sys
+from importlib.util import MAGIC_NUMBER, cache_from_source
+
+import pytest
+
+from autograder.sandbox import host, stale_bytecode
+
+
+@pytest.fixture
+def library(tmp_path):
+    folder = tmp_path / "library"
+    folder.mkdir()
+    for name in ("one", "two"):
+        (folder / f"{name}.py").write_text(f"name = {name!r}\n")
+        py_compile.compile(str(folder / f"{name}.py"))
+    return folder
+
+
+def all_compiled(folder):
+    return all(stale_bytecode.is_compiled(source) for source in folder.glob("*.py"))
+
+
+def test_a_library_that_was_imported_where_it_lies_is_compiled(library):
+    assert all_compiled(library)
+
+
+def test_a_module_that_was_never_compiled_is_noticed(library):
+    os.remove(cache_from_source(str(library / "two.py")))
+    assert not all_compiled(library)
+
+
+def test_a_copy_has_new_times_and_is_noticed(library, tmp_path):
+    copy = tmp_path / "copy"
+    shutil.copytree(library, copy, copy_function=shutil.copyfile)
+    for source in copy.glob("*.py"):
+        os.utime(source, (1e9, 1e9))
+    assert not all_compiled(copy)
+    # What Python itself says: importing from the copy writes its compiled modules anew.
+    code = "import sys; sys.path.insert(0, sys.argv[1]); import one, two"
+    writing = {name: value for name, value in os.environ.items() if "BYTECODE" not in name}
+    subprocess.run([sys.executable, "-c", code, copy], check=True, env=writing)
+    assert all_compiled(copy)
+
+
+def test_times_do_not_matter_where_the_source_s_hash_is_kept(library):
+    for source in library.glob("*.py"):
+        mode = py_compile.PycInvalidationMode.UNCHECKED_HASH
+        py_compile.compile(str(source), invalidation_mode=mode)
+        os.utime(source, (1e9, 1e9))
+    assert all_compiled(library)
+
+
+@pytest.mark.parametrize("content", [b"", b"\0" * 16, MAGIC_NUMBER + b"\0" * 11])
+def test_a_damaged_compiled_module_is_noticed(library, content):
+    with open(cache_from_source(str(library / "one.py")), "wb") as compiled:
+        compiled.write(content)
+    assert not all_compiled(library)
+
+
+def test_what_is_stale_is_compiled_once_before_the_first_sandbox(library, monkeypatch):
+    started = []
+    monkeypatch.setattr(host.subprocess, "run", lambda *a, **k: started.append(a[0]))
+    monkeypatch.setattr(host, "font_folder", lambda: library)
+    monkeypatch.setattr(host, "stale_modules", lambda: iter([library]))
+    host.compile_libraries()
+    assert started[0][-1] == "autograder.sandbox.inside.warm_imports"
+    monkeypatch.setattr(host, "stale_modules", lambda: iter([]))
+    host.compile_libraries()
+    assert len(started) == 1
+
+
+def test_a_folder_that_cannot_be_written_is_not_tried_again_and_again(library, monkeypatch):
+    monkeypatch.setattr(stale_bytecode, "_LOOKED_AT", {"json": ("decoder.py",)})
+    monkeypatch.setattr(stale_bytecode, "is_compiled", lambda source: False)
+    assert len(list(stale_bytecode.stale_modules())) == 1
+    monkeypatch.setattr(stale_bytecode.os, "access", lambda path, mode: False)
+    assert list(stale_bytecode.stale_modules()) == []
+
+
+def test_compiling_the_libraries_comes_to_its_end(monkeypatch):
+    """A failure would be seen nowhere: the next run would only be slow again."""
+    ended = []
+    run = host.subprocess.run
+
+    def watched(*arguments, **options):
+        ended.append(run(*arguments, **options).returncode)
+
+    monkeypatch.setattr(host.subprocess, "run", watched)
+    monkeypatch.setattr(host, "stale_modules", lambda: iter(["sympy"]))
+    host.compile_libraries()
+    assert ended == [0]
