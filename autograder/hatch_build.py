@@ -13,10 +13,12 @@ from hatchling.builders.hooks.plugin.interface import BuildHookInterface
 
 
 class EngineWheel(BuildHookInterface):  # type: ignore[type-arg]
-    """Includes the loose files of the package in a standard wheel."""
+    """Includes the loose files of the package in a standard wheel, and not this one."""
 
     def initialize(self, version: str, build_data: dict[str, Any]) -> None:
         """Include them, unless the build is of an editable install."""
         if version == "standard":
-            for path in (*sorted(Path(self.root).glob("*.py")), Path(self.root, "LICENSE")):
+            root = Path(self.root)
+            modules = set(root.glob("*.py")) - {root / Path(__file__).name}
+            for path in (*sorted(modules), root / "LICENSE"):
                 build_data["force_include"][str(path)] = f"autograder/{path.name}"
