@@ -28,8 +28,8 @@ from autograder.grading.numbers_of_others import compare_numbers
 from autograder.grading.spread import Spread
 from autograder.grading.threads import Threads
 from autograder.grading.whole_class import grade_class
+from autograder.intake.changed_files import changed_since, snapshot_class
 from autograder.intake.long_list import LongList
-from autograder.intake.submission_times import changed_since, snapshot_class
 from autograder.intake.submissions import Submission
 from autograder.intake.summary import Summary
 from autograder.language import _, n_
