@@ -36,11 +36,16 @@ from autograder.language import _, n_
 from autograder.marking.marker import Marker
 from autograder.reports.json_output import change_fields, record_fields
 from autograder.reports.pictures import Pictures
-from autograder.reports.terminal import print_changes, print_table, progress_bar, warn
+from autograder.reports.terminal import (
+    MOST_IN_A_TABLE,
+    print_changes,
+    print_table,
+    progress_bar,
+    warn,
+)
 from autograder.reports.write import Options, write_reports
 from autograder.sandbox.launcher import NO_SANDBOX, isolation_text
 
-MOST_IN_A_TABLE = 500  # students
 ON_A_CLUSTER = "unknown, on a cluster that has not answered yet"
 
 

@@ -23,7 +23,7 @@ from autograder.intake.submissions import Contents, Notebook, Submission
 from autograder.marking import Mark
 from autograder.marking.marker import Marker
 from autograder.reports.class_html import class_html
-from autograder.reports.statistics import MistakesMade
+from autograder.reports.common_mistakes import MistakesMade
 from autograder.reports.variant_difficulty import Difficulty, VariantSums
 from autograder.sandbox.launcher import Isolation, Sandbox
 from tests.toy import make_toy
