@@ -17,7 +17,7 @@ from pathlib import Path
 import nbformat
 from nbclient import NotebookClient
 
-from autograder.authoring.build import START_ID
+from autograder.authoring.assemble_notebook import START_ID
 from autograder.authoring.executed_notebooks import surroundings
 from autograder.authoring.masters import Master, read_masters
 from autograder.cli import parser

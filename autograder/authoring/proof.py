@@ -11,19 +11,20 @@ is out of place.
 from __future__ import annotations
 
 import json
-import re
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
 from autograder.authoring.build import build_student_notebooks, unexecuted_solved_notebooks
+from autograder.authoring.key_told_to_students import parts_of_key_told
 from autograder.authoring.line_in_key import with_line
+from autograder.authoring.misplaced_files import misplaced_files
 from autograder.authoring.proof_by_mutants import prove_by_mutants, untested_promises
 from autograder.authoring.proof_for_students import prove_for_students
 from autograder.authoring.proof_of_texts import prove_texts
 from autograder.authoring.proof_of_variants import prove_variants
 from autograder.course import Course, load_course
 from autograder.course.answers import Answer
-from autograder.course.folders import ANSWERS, MASTERS, NOTEBOOKS, QUESTIONS, SOLVED, cell_id
+from autograder.course.folders import cell_id
 from autograder.course.questions import Question
 from autograder.errors import AutograderError
 from autograder.grading.submission import grade_contents
@@ -35,7 +36,6 @@ from autograder.sandbox.launcher import Sandbox
 
 # Hidden inputs are random: what holds for one draw must hold for others.
 SEEDS = (1, 2, 3)
-TELLING_DIGITS = 3
 
 
 def prove_course(
@@ -55,7 +55,7 @@ def prove_course(
         solved, untouched = unexecuted_solved_notebooks(course), build_student_notebooks(course)
     except AutograderError as error:
         return [str(error)]
-    problems = [*_misplaced_files(course), *prove_texts(course), *prove_for_students(course)]
+    problems = [*misplaced_files(course), *prove_texts(course), *prove_for_students(course)]
     report("mistakes")
     for question in course.questions.values():
         try:
@@ -80,7 +80,7 @@ def prove_course(
         except AutograderError as error:
             return [str(error)]
     report("leaks")
-    problems += _leaks(course, [built.text for built in untouched])
+    problems += parts_of_key_told(course, [built.text for built in untouched])
     marker = Marker(course, SEEDS[0])
     problems += untested_promises(course, marker)
     with Sandbox(course) as sandbox:
@@ -136,57 +136,3 @@ def _prove_answer(course: Course, question: Question, answer: Answer) -> Iterato
                     "correct it, or choose inputs that tell the two apart."
                 ] = None
     yield from found
-
-
-def _misplaced_files(course: Course) -> Iterator[str]:
-    chapters = {f"{chapter.name}.toml" for chapter in course.chapters}
-    masters = {path.stem for path in (course.root / MASTERS).glob("*.py")}
-    notebooks = {f"{stem}.ipynb" for stem in masters}
-    expected = {
-        QUESTIONS: chapters,
-        ANSWERS: chapters,
-        MASTERS: {f"{stem}.py" for stem in masters},
-        NOTEBOOKS: notebooks,
-        SOLVED: notebooks,
-    }
-    for folder, names in expected.items():
-        for path in sorted((course.root / folder).glob("*")):
-            generated = path.name in ("responses", "submission.zip", "__pycache__")
-            module = path.suffix == ".py" and folder == NOTEBOOKS
-            if path.is_dir() or path.name.startswith(".") or generated or module:
-                continue
-            if path.name not in names:
-                yield (
-                    f"{path.relative_to(course.root)} is unexpected; "
-                    "remove it, or add the chapter that it belongs to."
-                )
-
-
-def _leaks(course: Course, student_notebooks: list[str]) -> Iterator[str]:
-    """Parts of the key that stand in what students get: the notebooks and all beside them."""
-    texts = {
-        str(path.relative_to(course.root)): path.read_text(encoding="utf-8")
-        for path in sorted((course.root / NOTEBOOKS).rglob("*"))
-        if path.suffix in (".py", ".toml", ".md", ".js") and "responses" not in path.parts
-    }
-    for text in student_notebooks:
-        cells = json.loads(text)["cells"]
-        title = "".join(cells[0]["source"]).partition("\n")[0].strip("# ")
-        texts[f"the notebook “{title}”"] = "\n".join("".join(cell["source"]) for cell in cells)
-    for id, answer in course.key.items():
-        question = course.questions[id]
-        kind = kind_of(question)
-        patterns = [re.escape(s) for s in kind.secrets(question, answer) if len(s) > 8]
-        own = "\n".join([question.title, question.prompt, *question.hints])
-        for number in kind.secret_numbers(question, answer):
-            pattern = rf"(?<![\w.]){re.escape(number)}(?![\w]|\.\d)"
-            # A short number stands in many places and gives nothing away but in its own question.
-            if sum(sign.isdigit() for sign in number) >= TELLING_DIGITS:
-                patterns.append(pattern)
-            elif re.search(pattern, own):
-                yield f"{id}: its own text contains {number!r}, which is in the key."
-        for pattern in patterns:
-            for name, text in texts.items():
-                found = re.search(pattern, text)
-                if found:
-                    yield f"{id}: {name} contains {found[0][:60]!r}, which is in the key."

@@ -26,7 +26,7 @@ def runs(toy, monkeypatch):
                 build.nbformat.v4.new_output("stream", text=f"{stem} has run {cell.source}")
             ]
 
-    monkeypatch.setattr(build, "_execute", execute)
+    monkeypatch.setattr(build, "run_solved_notebook", execute)
 
     def built() -> list[str]:
         ran: list[str] = []

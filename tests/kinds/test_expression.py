@@ -171,6 +171,9 @@ def test_a_result_that_still_depends_on_r_is_told_so(marker):
         (2 * sp.Symbol("c"), "does not declare (declared are a, b, half)"),
         (sp.Symbol("a") > 0, "not a sympy expression"),
         (sp.Matrix([1, 2]), "several values"),
+        ({sp.Symbol("rim"): sp.Symbol("a"), sp.Symbol("b"): 0}, "several values"),
+        ({sp.Symbol("a"): 2 * (sp.Symbol("a") + sp.Symbol("b"))}, "not a sympy expression"),
+        ({"rim": sp.Symbol("a")}, "not a sympy expression"),
         (None, "not a sympy expression"),
     ],
 )
@@ -181,6 +184,24 @@ def test_what_is_no_expression_is_wrong_and_told_why(toy, response, said):
 
 
 A, B, HALF = sp.symbols("a b half")
+RIM = sp.Symbol("rim")
+
+
+@pytest.mark.parametrize(
+    "solved",
+    [
+        sp.solve(RIM - 2 * (A + B), RIM),
+        sp.solve(RIM - 2 * (A + B), RIM, dict=True),
+        sp.solve([RIM - 2 * (A + B)], [RIM]),
+        sp.solveset(RIM - 2 * (A + B), RIM),
+        sp.linsolve([RIM - 2 * (A + B)], RIM),
+        [{RIM: 2 * (A + B)}, {RIM: 4 * HALF / 2}],
+        [sp.Matrix([2 * (A + B)])],
+    ],
+    ids=str,
+)
+def test_whatever_form_sympy_gives_a_solution_in_is_right(toy, solved):
+    assert mark(Marker(toy.load(), seed=1), "Q1.4", solved).status == "right"
 
 
 @pytest.mark.parametrize(

@@ -152,6 +152,12 @@ def given_number(marker: Marker, response: object) -> Mark:
         sp.Rational(24, 2),
         sp.ceiling(sp.Float("11.3")),
         sp.sqrt(144),
+        [[12]],
+        sp.Matrix([12]),
+        sp.FiniteSet(12),
+        sp.solve([sp.Symbol("k") - 12], [sp.Symbol("k")]),
+        sp.solve(sp.Symbol("k") - 12, dict=True),
+        sp.linsolve([sp.Symbol("k") - 12], sp.Symbol("k")),
     ],
     ids=lambda response: f"{type(response).__module__}.{type(response).__name__}",
 )
@@ -173,12 +179,43 @@ def test_a_right_number_of_any_type_is_right(marker, response):
         (10**400, "not a finite number"),
         (sp.Symbol("k") * 12, "still contains symbols"),
         (object(), "not a number"),
+        (sp.FiniteSet(12, 13), "several values"),
+        (sp.Matrix([12, 13]), "several values"),
+        ({sp.Symbol("k"): 12, sp.Symbol("n"): 12}, "several values"),
+        (sp.Interval(12, 12.5), "not a number"),
+        (sp.true, "not a number"),
+        ({"k": 12}, "not a number"),
     ],
 )
 def test_what_is_no_number_is_wrong_and_told_why(marker, response, said):
     mark = given_number(marker, response)
     assert (mark.status, mark.credit, mark.alternative) == ("wrong", 0, "not usable")
     assert said in mark.feedback
+
+
+def test_a_list_that_holds_itself_is_no_number(marker):
+    endless: list[object] = []
+    endless.append(endless)
+    assert given_number(marker, endless).alternative == "not usable"
+
+
+@pytest.mark.parametrize(
+    "response",
+    [
+        np.float32(0.18),
+        np.float16(0.18),
+        np.array([0.18], dtype=np.float32),
+        np.round(np.float32(0.1801), 2),
+        sp.N(sp.Float("0.18014"), 2),
+        1 - 0.82,  # 0.18000000000000005
+        0.1 + 0.08,
+    ],
+    ids=repr,
+)
+def test_a_number_is_as_fine_as_it_is_written_and_not_as_it_is_kept(response):
+    """Two decimals count as rounded, whatever the computer makes of the others."""
+    value = evaluate(response, {"kind": "number"})["value"]
+    assert mark(value, answer_of((0.1801, 1.0)), decimals=2).status == "right"
 
 
 def test_the_stub_and_a_missing_variable_are_not_attempted(marker):

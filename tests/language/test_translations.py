@@ -15,9 +15,8 @@ import pytest
 
 from autograder import language
 from autograder.course import load_course
-from autograder.errors import CourseError
 from autograder.gradebook import Record
-from autograder.language import _, n_
+from autograder.language import _
 from autograder.language.catalog import as_mo, read_po
 from autograder.marking import Mark
 from autograder.questions.mark import not_attempted
@@ -35,16 +34,6 @@ CATALOGS = sorted((ENGINE / "language").glob("*.po"))
 # Names of keys, not sentences.
 KEYS = ("Enter", "Escape", "Home", "End")
 FIELD = re.compile(r"\{(\w+)\}")
-
-
-@pytest.fixture(autouse=True)
-def _english_again(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
-    monkeypatch.delenv("LANGUAGE", raising=False)
-    language.follow_environment()
-    yield
-    language.use("")
-    monkeypatch.delenv("LANGUAGE", raising=False)
-    language.follow_environment()
 
 
 @cache  # not while tests are collected, which every worker does
@@ -208,20 +197,6 @@ def test_a_catalog_reads_as_the_standard_library_reads_it():
         read_po('msgctx "x"')
 
 
-def test_the_course_says_which_language_and_a_notebook_follows_the_person(
-    monkeypatch: pytest.MonkeyPatch,
-):
-    assert _("Right") == "Right"
-    monkeypatch.setenv("LANGUAGE", "xx:de_CH.UTF-8:en")
-    assert _("Right") == "Right"  # grading does not look there
-    language.follow_environment()
-    assert _("Right") == "Richtig"
-    assert n_("{count} point", "{count} points", 1) == "{count} Punkt"
-    assert n_("{count} point", "{count} points", 0.5) == "{count} Punkte"
-    language.use("en")
-    assert _("Right") == "Right"
-
-
 def test_a_course_in_german_marks_and_returns_feedback_in_german(tmp_path: Path):
     make_course(tmp_path)
     Toy(tmp_path).set('language = "de"')
@@ -240,13 +215,6 @@ def test_a_course_in_german_marks_and_returns_feedback_in_german(tmp_path: Path)
     view = repr(MarkView(second, marks[1], None))
     assert view.startswith("✓ Q2 richtig · 2 von 2 Punkten")
     assert "2 Punkte" in repr(QuestionView(second))
-
-
-def test_an_unknown_language_is_refused(tmp_path: Path):
-    make_course(tmp_path)
-    Toy(tmp_path).set('language = "tlh"')
-    with pytest.raises(CourseError, match="language"):
-        load_course(tmp_path)
 
 
 @pytest.mark.parametrize(

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from autograder import ask, check
@@ -50,6 +51,14 @@ def test_an_order_may_be_given_by_ids_or_by_the_numbers_shown(orchard: Path):
     by_number = ask("Q5").respond([2, 3, 1]).mark
     assert (by_id.status, by_id.points) == ("right", 3)
     assert by_number == by_id
+
+
+def test_a_response_may_be_an_array(orchard: Path):
+    assert ask("Q5").respond(np.array([2, 3, 1])).mark.status == "right"
+    assert ask("Q5").respond([np.int64(2), np.int64(3), np.int64(1)]).mark.status == "right"
+    assert ask("Q5").respond(np.array(["sow", "water", "eat"])).mark.status == "right"
+    assert ask("Q1").respond(np.array([1, 2]) > 1).mark.status == "right"
+    assert ask("Q1").respond((np.False_, np.True_)).mark.status == "right"
 
 
 def test_one_card_to_move_costs_two_thirds_of_three_cards(orchard: Path):

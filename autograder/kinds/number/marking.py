@@ -82,8 +82,11 @@ def _tolerance(question: Number, alternative: NumberAlternative, value: int | fl
 
 
 def _last_place(value: int | float) -> float:
-    """What one in the last place is worth, of a finite number as it is written: 0.01 of 0.18."""
-    exponent = Decimal(repr(float(value))).normalize().as_tuple().exponent
+    """What one in the last place is worth, of a finite number as it is written: 0.01 of 0.18.
+
+    And of ``1 - 0.82``, which a computer rounds to 0.18000000000000005.
+    """
+    exponent = Decimal(f"{float(value):.12g}").normalize().as_tuple().exponent
     return float(10.0 ** int(exponent))
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from autograder.errors import UsageError
 from autograder.kinds.order.question import Order
 from autograder.language import _
+from autograder.questions.given_entries import given_entries
 
 
 def chosen(question: Order, response: object) -> list[str] | None:
@@ -27,7 +28,8 @@ def read_response(question: Order, response: object) -> list[str]:
     Raises:
         UsageError: if it does not fit the question.
     """
-    if isinstance(response, list | tuple) and all(
+    response = given_entries(response)
+    if response is not None and all(
         isinstance(n, int) and not isinstance(n, bool) and 1 <= n <= len(question.cards)
         for n in response
     ):

@@ -5,6 +5,7 @@ from __future__ import annotations
 from autograder.errors import UsageError
 from autograder.kinds.true_false.question import TrueFalse
 from autograder.language import _, n_
+from autograder.questions.given_entries import given_entries
 
 
 def chosen(question: TrueFalse, response: object) -> list[bool | None] | None:
@@ -27,7 +28,7 @@ def read_response(question: TrueFalse, response: object) -> list[bool | None]:
     Raises:
         UsageError: if it does not fit the question.
     """
-    choices = chosen(question, response)
+    choices = chosen(question, given_entries(response))
     if choices is None:
         count = len(question.statements)
         raise UsageError(

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import builtins
+import itertools
 import math
 import numbers
 import sys
+from collections.abc import Collection
 from typing import Any
 
 import numpy as np
@@ -56,12 +58,12 @@ def plain_number(response: Any) -> int | float:
         raise Unusable("callable")
     if isinstance(response, bool | np.bool_):
         raise Unusable("not a number")
-    if isinstance(response, np.generic):
+    if isinstance(response, np.floating):
+        response = float(str(response))  # 0.18 of single precision is 0.18, as it was written
+    elif isinstance(response, np.generic):
         response = response.item()
     if is_sympy(response):
-        if response.free_symbols:
-            raise Unusable("symbols left")
-        response = int(response) if response.is_Integer else complex(response.evalf())
+        response = _number_of_sympy(response)
     if isinstance(response, numbers.Integral):
         integer = int(response)
         if integer.bit_length() > 1000:
@@ -77,17 +79,53 @@ def plain_number(response: Any) -> int | float:
     raise Unusable("not a number")
 
 
+def _number_of_sympy(response: Any) -> int | complex:
+    import sympy as sp
+
+    if response.free_symbols:
+        raise Unusable("symbols left")
+    if not isinstance(response, sp.Expr):  # a set, a condition
+        raise Unusable("not a number")
+    if isinstance(response, sp.Float):
+        return float(str(response))  # `N(x, 2)` shows two digits and holds more of another number
+    return int(response) if response.is_Integer else complex(response.evalf())
+
+
 def only_entry(response: object) -> object:
-    """The one entry of ``[x]``, ``{x}`` or a one-element array, as ``sympy.solve`` returns it."""
+    """The ``x`` of ``[x]``, ``{x}``, a 1 × 1 matrix, or whatever else sympy's solvers return.
+
+    Raises:
+        Unusable: if there are several.
+    """
+    for _ in range(MAX_DEPTH):
+        held = _entries(response)
+        if held is None:
+            return response
+        if len(held) != 1:
+            raise Unusable("several")
+        response = next(iter(held))
+    raise Unusable("not plain")  # a list that contains itself
+
+
+def _entries(response: Any) -> Collection[object] | None:
+    """What a response holds: ``x`` of a solution ``{name: x}``; None if it is a single value."""
     if isinstance(response, np.ndarray):
-        if response.size != 1:
-            raise Unusable("several")
-        return response.reshape(-1)[0]
+        return list(itertools.islice(response.flat, 2))
     if isinstance(response, list | tuple | set | frozenset):
-        if len(response) != 1:
-            raise Unusable("several")
-        return next(iter(response))
-    return response
+        return response
+    sp = sys.modules.get("sympy")
+    if sp is None:
+        return None
+    if isinstance(response, sp.FiniteSet | sp.Tuple):
+        return response.args  # type: ignore[no-any-return]
+    if isinstance(response, sp.MatrixBase):
+        return list(response)
+    if isinstance(response, dict) and all(
+        isinstance(name, sp.Symbol) and name not in getattr(value, "free_symbols", ())
+        for name, value in response.items()
+    ):
+        return response.values()
+    return None
 
 
 def is_sympy(response: object) -> bool:

@@ -27,16 +27,16 @@ def evaluate(response: object, probe: Message) -> Message:
     if entries is None:
         return {"values": _values(only_entry(response), points)}
     if len(entries) == 1:
-        return {"values": _values(entries[0], points)}
+        return {"values": _values(only_entry(entries[0]), points)}
     if not 1 < len(entries) <= MOST_ROOTS:
         raise Unusable("several")
-    return {"values": np.array([_values(entry, points) for entry in entries])}
+    return {"values": np.array([_values(only_entry(entry), points) for entry in entries])}
 
 
 def _entries(response: object) -> list[Value] | None:
-    """The entries of what sympy gives for one result or for several: a matrix, a set, a list.
+    """The entries of what sympy gives for several results: a set, a list.
 
-    A polynomial (``sp.Poly``) is one result.
+    A polynomial (``sp.Poly``) is one result. None for what holds one at most.
     """
     if isinstance(response, list | tuple):
         return list(response)
@@ -47,10 +47,6 @@ def _entries(response: object) -> list[Value] | None:
         return list(response.args)
     if isinstance(response, sp.Poly):
         return [response.as_expr()]
-    if isinstance(response, sp.MatrixBase):
-        if response.shape != (1, 1):
-            raise Unusable("several")
-        return [response[0, 0]]
     return None
 
 
