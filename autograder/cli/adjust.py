@@ -55,7 +55,7 @@ def add(commands: Commands) -> None:
 def run(parsed: argparse.Namespace, console: Console) -> int:
     """Show each student's points before and after; keep the scheme if it is accepted."""
     from autograder.gradebook import Gradebook, view_class
-    from autograder.gradebook.record import names_of
+    from autograder.gradebook.student_names import names_of
     from autograder.gradebook.view import SCHEME
     from autograder.reports.write import Options, write_reports
 

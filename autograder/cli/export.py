@@ -39,7 +39,7 @@ def add(commands: Commands) -> None:
 def run(parsed: argparse.Namespace, console: Console) -> int:
     """Write the export, and name the work that belongs to nobody in the class list."""
     from autograder.gradebook import Gradebook, view_class
-    from autograder.gradebook.record import names_of
+    from autograder.gradebook.student_names import names_of
     from autograder.reports import exports
     from autograder.reports.stale_marks import require_current
     from autograder.reports.terminal import warn

@@ -2,25 +2,23 @@
 
 from __future__ import annotations
 
-import os
-import secrets
-import signal
-import threading
 import time
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import AbstractContextManager, contextmanager, nullcontext
+from collections.abc import Callable, Sequence
+from contextlib import AbstractContextManager, nullcontext
 from dataclasses import replace
-from importlib.util import find_spec
 from pathlib import Path
 
 from rich.console import Console
 
-from autograder.cli.exit_status import BROKEN, DONE, INTERRUPTED
+from autograder.cli.choose_run import choose_run
+from autograder.cli.exit_status import BROKEN, DONE
+from autograder.cli.required_packages import require_packages
 from autograder.cli.run_options import GradingWanted
 from autograder.cli.run_tally import Tally
 from autograder.cli.shared_arguments import print_json
+from autograder.cli.stopped_run import after_interruption, ended_orderly
+from autograder.cli.tell_github import tell_github
 from autograder.course import Course
-from autograder.errors import CourseError
 from autograder.gradebook import ClassView, Gradebook, Record, Run, view_class
 from autograder.grading.graded_submission import Graded
 from autograder.grading.journal import Journal
@@ -28,20 +26,22 @@ from autograder.grading.numbers_of_others import compare_numbers
 from autograder.grading.spread import Spread
 from autograder.grading.threads import Threads
 from autograder.grading.whole_class import grade_class
+from autograder.intake.changed_files import changed_since, snapshot_class
 from autograder.intake.long_list import LongList
-from autograder.intake.submission_times import changed_since, snapshot_class
 from autograder.intake.submissions import Submission
 from autograder.intake.summary import Summary
 from autograder.language import _, n_
 from autograder.marking.marker import Marker
 from autograder.reports.json_output import change_fields, record_fields
 from autograder.reports.pictures import Pictures
-from autograder.reports.terminal import print_changes, print_table, progress_bar, warn
+from autograder.reports.terminal import (
+    MOST_IN_A_TABLE,
+    print_changes,
+    print_table,
+    progress_bar,
+    warn,
+)
 from autograder.reports.write import Options, write_reports
-from autograder.sandbox.launcher import NO_SANDBOX, isolation_text
-
-MOST_IN_A_TABLE = 500  # students
-ON_A_CLUSTER = "unknown, on a cluster that has not answered yet"
 
 
 def grade_and_report(
@@ -56,9 +56,9 @@ def grade_and_report(
     class_list = summary.class_list
     submissions = LongList(Submission, (row.submission for row in summary.rows))
     Pictures(course)
-    _require_packages(course)
+    require_packages(course)
     questions = frozenset(course.question(id).id for id in wanted.questions) or None
-    run = _choose_run(wanted, course, book)
+    run = choose_run(wanted, course, book)
     marker = Marker(course, run.seed, tells=False)
     known = None
     if questions is None and not wanted.trial:
@@ -101,7 +101,7 @@ def grade_and_report(
         progress.update(task, description=spread.describe())
         with spread:
             try:
-                with _journal(wanted, book) as journal, _ended_orderly():
+                with _journal(wanted, book) as journal, ended_orderly():
                     grade_class(
                         submissions, course, spread, done, questions, known, journal, book.works
                     )
@@ -111,7 +111,7 @@ def grade_and_report(
                 if spread.isolation and not wanted.trial:
                     run = book.note_isolation(run, spread.isolation)
     if interrupted:
-        return _after_interruption(wanted, console, course, book, summary, tally)
+        return after_interruption(wanted, console, course, book, summary, tally)
     _look_again(summary, tally, handed_in)
     if wanted.trial:
         _tell_trial(wanted, console, tally)
@@ -126,7 +126,7 @@ def grade_and_report(
     written = write_reports(course, book, Options(wanted.out, None, class_list))
     ended = BROKEN if wanted.strict and summary.needs_person else DONE
     if wanted.for_github:
-        _tell_github(console, course, summary, _records(view, tally))
+        tell_github(console, course, summary, _records(view, tally))
     if wanted.for_machines:
         records = _records(view, tally)
         print_json(
@@ -154,60 +154,11 @@ def grade_and_report(
     return ended
 
 
-def _tell_github(
-    console: Console, course: Course, summary: Summary, records: Sequence[Record]
-) -> None:
-    """Add to the job's summary, and print the remarks that GitHub shows at the files."""
-    from autograder.reports import github_summary
-
-    pieces = {row.submission.student: row.submission.pieces for row in summary.rows}
-    page = os.environ.get("GITHUB_STEP_SUMMARY")
-    for record in records:
-        paths = [piece.path for piece in pieces.get(record.student, ())]
-        notebooks = [
-            found
-            for path in paths
-            for found in (sorted(path.rglob("*.ipynb")) if path.is_dir() else [path])
-        ]
-        files = {
-            chapter.name: os.path.relpath(path)
-            for chapter in course.chapters
-            for path in notebooks
-            if chapter.name in path.stem
-        }
-        text = github_summary.summary(course, record)
-        if page:
-            with open(page, "a", encoding="utf-8", newline="\n") as file:
-                file.write(text)
-        for line in github_summary.remarks(course, record, files):
-            console.out(line, highlight=False)
-
-
 def _journal(wanted: GradingWanted, book: Gradebook) -> AbstractContextManager[Journal | None]:
     """What is at work, beside the gradebook; a regrade gives everybody another chance."""
     if wanted.trial:
         return nullcontext()
     return Journal(book.path.with_suffix(".at-work"), forget=wanted.regrade)
-
-
-@contextmanager
-def _ended_orderly() -> Iterator[None]:
-    """While grading, being told to end, as by a closed terminal, is like Ctrl-C."""
-
-    def interrupt(number: int, frame: object) -> None:
-        raise KeyboardInterrupt
-
-    before = {}
-    if threading.current_thread() is threading.main_thread():
-        for name in ("SIGTERM", "SIGHUP"):
-            number = getattr(signal, name, None)
-            if number is not None and signal.getsignal(number) is signal.SIG_DFL:
-                before[number] = signal.signal(number, interrupt)
-    try:
-        yield
-    finally:
-        for number, handler in before.items():
-            signal.signal(number, handler)
 
 
 def _records(view: ClassView, tally: Tally) -> list[Record]:
@@ -250,70 +201,6 @@ def _look_again(
                 len(altered),
             ).format(count=len(altered), files=named)
         )
-
-
-def _after_interruption(
-    wanted: GradingWanted,
-    console: Console,
-    course: Course,
-    book: Gradebook,
-    summary: Summary,
-    tally: Tally,
-) -> int:
-    """Write the reports of what is done, and say how to go on."""
-    count = len(summary.rows)
-    if tally.count and not wanted.trial:
-        students = set(tally.students)
-        rows = (row for row in summary.rows if row.submission.student in students)
-        book.set_lateness((row.submission.student, row.lateness()) for row in rows)
-        options = Options(wanted.out, students, summary.class_list)
-        write_reports(course, book, options)
-        sentence = _(
-            "Stopped: {some} of {all} were graded; their reports are written; run it again to go "
-            "on."
-        )
-    else:
-        sentence = _("Stopped: {some} of {all} were graded; nothing was written.")
-    warn(sentence.format(some=tally.count, all=count))
-    return INTERRUPTED
-
-
-def _require_packages(course: Course) -> None:
-    """Refuse to mark where what the course allows is not there: nobody's import may fail for it."""
-    missing = [name for name in course.settings.packages if not find_spec(name.partition(".")[0])]
-    if missing:
-        raise CourseError(
-            f"The course allows {', '.join(missing)} (packages in [tool.autograder]), and this "
-            f"Python has no such module; install what provides it, then grade."
-        )
-
-
-def _choose_run(
-    wanted: GradingWanted,
-    course: Course,
-    book: Gradebook,
-) -> Run:
-    """The last run goes on, unless the key, the seed or the wish to regrade asks for a new one.
-
-    So does grading with the sandbox after a run without it, and the other way round.
-
-    A new run draws the same hidden inputs as the last: what changes is then the key's doing.
-    """
-    last = book.last_run()
-    seed = last.seed if last else secrets.randbits(32)
-    if wanted.seed is not None:
-        seed = wanted.seed
-    if wanted.trial:
-        return Run(0, course.version, seed)
-    same_key = last is not None and (last.course_version, last.seed) == (course.version, seed)
-    bare = wanted.isolation == "none"
-    if last and same_key and not wanted.regrade and (last.isolation == NO_SANDBOX) == bare:
-        return last
-    # What holds on the workers of a cluster is not known before they are there.
-    text = NO_SANDBOX if bare else ON_A_CLUSTER
-    if wanted.cluster is None:
-        text = isolation_text(course, wanted.isolation)
-    return book.begin_run(course.version, seed, text)
 
 
 def _tell_trial(wanted: GradingWanted, console: Console, tally: Tally) -> None:

@@ -14,9 +14,10 @@ from autograder.intake.class_list import ClassList
 from autograder.intake.find_submissions import take_in
 from autograder.intake.handout import handout_of
 from autograder.intake.layouts.layout import Context
-from autograder.intake.submission_times import read_times
 from autograder.intake.submissions import Submission, Unreadable, read_submission
-from autograder.intake.summary import Summary, summarise
+from autograder.intake.summary import Summary
+from autograder.intake.times_csv import read_times
+from autograder.intake.whose_and_when import summarise
 
 _TRUST = "trust_times"
 

@@ -36,7 +36,7 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
     """Print marks, overrides and notes."""
     from autograder.gradebook import Gradebook, find_record, view_class
     from autograder.reports.json_output import record_fields
-    from autograder.reports.terminal import print_key, print_record
+    from autograder.reports.terminal_student import print_key, print_record
 
     course = load(parsed)
     with Gradebook(gradebook_path(parsed), create=False) as book:

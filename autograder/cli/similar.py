@@ -56,7 +56,7 @@ def add(commands: Commands) -> None:
 def run(parsed: argparse.Namespace, console: Console) -> int:
     """Compare everybody with everybody and with what is public; print it, write similar.csv."""
     from autograder.gradebook import Gradebook
-    from autograder.gradebook.record import names_of
+    from autograder.gradebook.student_names import names_of
     from autograder.gradebook.view import with_people
     from autograder.intake.find_submissions import find_submissions
     from autograder.intake.submissions import Unreadable, read_submission

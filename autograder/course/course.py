@@ -2,41 +2,30 @@
 
 from __future__ import annotations
 
-import hashlib
 import json
-import os
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 from typing import TypeVar
 
 from autograder.course.answers import Answer, answer_from_table
+from autograder.course.course_version import course_version
 from autograder.course.folders import (
     ANSWERS,
-    DATA,
-    MASTERS,
-    NOTEBOOKS,
     QUESTIONS,
-    SOLUTIONS,
     student_notebooks,
 )
-from autograder.course.places import Places, read_places
+from autograder.course.places import Places
 from autograder.course.predictions import Prediction
 from autograder.course.questions import Question, Written
-from autograder.course.settings import Settings, read_settings
-from autograder.course.toml_file import read_toml, unreadable
+from autograder.course.settings import Settings
+from autograder.course.toml_file import read_toml
 from autograder.errors import CourseError, UsageError
-from autograder.language import N_, _, use
-from autograder.questions.registry import load_kind
-from autograder.questions.strict_reader import Place, Table, meant, read_table
-from autograder.questions.variables import Variables, read_variables
+from autograder.language import N_, _
+from autograder.questions.strict_reader import Place, Table
 
 DEMO = "demo"  # the tag of a cell that only shows something
-_PACKAGE = Path(__file__).parents[1]
-_MARKS_NOTHING = ("authoring", "cli", "gradebook", "release", "reports")  # folders of the package
-_LARGE_FILE = 32 * 2**20  # bytes
-_FIELDS = ("title", "question", "story", "prediction")  # of a file of questions
 _T = TypeVar("_T")
 
 
@@ -254,135 +243,8 @@ class Course:
 
     @cached_property
     def version(self) -> str:
-        """A fingerprint of everything that can change a mark.
-
-        That is the key, what student code finds around it, the limits on it, and the autograder.
-        Of files only the contents count, since a fresh checkout has other times; of a large one,
-        which no course has so far, the size and the ends.
-        """
-        digest = hashlib.sha256()
-        digest.update(f"{self.settings}\0{sorted(self.demo_cells)}\0".encode())
-        if self.personal:
-            digest.update(f"{self.others_count}\0".encode())
-            digest.update(f"{self.places.text() if self.places else ''}\0".encode())
-        for top, folder, pattern, left_out in (
-            (self.root, QUESTIONS, "*.toml", ()),
-            (self.root, ANSWERS, "*.toml", ()),
-            (self.root, SOLUTIONS, "**/*.py", ()),
-            (self.root, NOTEBOOKS, "**/*.py", (MASTERS.name,)),
-            (self.root, DATA, "**/*", ()),
-            (_PACKAGE, ".", "**/*.py", _MARKS_NOTHING),
-        ):
-            for path in sorted((top / folder).glob(pattern)):
-                inside = path.relative_to(top / folder)
-                if inside.parts[0] in left_out or "__pycache__" in inside.parts:
-                    continue
-                if path.is_file():
-                    digest.update(f"{folder}/{inside.as_posix()}\0".encode())
-                    _digest_file(path, digest.update)
-        return digest.hexdigest()[:16]
-
-
-def _digest_file(path: Path, update: Callable[[bytes], object]) -> None:
-    try:
-        with path.open("rb") as file:
-            size = file.seek(0, os.SEEK_END)
-            file.seek(0)
-            update(f"{size}\0".encode())
-            update(file.read(_LARGE_FILE // 2))
-            file.seek(max(_LARGE_FILE // 2, size - _LARGE_FILE // 2))
-            update(file.read(_LARGE_FILE // 2))
-    except OSError as error:
-        raise unreadable(path, error) from None
-
-
-def find_course_root(start: Path | None = None) -> Path:
-    """The nearest folder, from ``start`` (default: here) upwards, that holds a course.
-
-    The environment variable ``AUTOGRADER_COURSE`` names it outright.
-
-    Raises:
-        CourseError: if there is none.
-    """
-    given = os.environ.get("AUTOGRADER_COURSE")
-    if given and start is None:
-        return Path(given)
-    here = (start or Path.cwd()).resolve()
-    for folder in (here, *here.parents):
-        if (folder / QUESTIONS).is_dir():
-            return folder
-    raise CourseError(
-        f"There is no course in {here} or above it (a folder with {QUESTIONS}); "
-        "change to the course's folder, or name it with --course."
-    )
-
-
-def load_course(root: Path | None = None) -> Course:
-    """Read the questions and settings of the course at ``root`` (default: found from here).
-
-    Raises:
-        CourseError: if there is no course, a file cannot be read, or an id or a variable is used
-            twice.
-    """
-    if root is None:
-        root = find_course_root()
-    elif not (root / QUESTIONS).is_dir():
-        # Not the course of a folder above: that would hide a mistyped name.
-        raise CourseError(f"There is no course in {root}: it has no folder {QUESTIONS}.")
-    root = root.resolve()
-    settings = read_settings(root)
-    use(settings.language)
-    for package in settings.kinds:
-        load_kind(package, root)
-    chapters = []
-    for path in sorted((root / QUESTIONS).glob("*.toml"), key=_chapter_position(root)):
-        text, table = read_toml(path, "write it or remove the file")
-        title = _check_fields(table, Place(path.relative_to(root).as_posix(), text))
-        entries = table.get("question", [])
-        if not (isinstance(entries, list) and all(isinstance(entry, dict) for entry in entries)):
-            place = Place(path.relative_to(root).as_posix(), text)
-            raise place.error(
-                "each question is a table that begins with [[question]]", ("question",)
-            )
-        stories = _read_stories(table.get("story", {}), text, path.relative_to(root))
-        written = tuple(
-            Written.read(entry, path.stem, text, n, stories) for n, entry in enumerate(entries)
-        )
-        questions = tuple(entry.question() for entry in written)
-        told = {entry.table.get("story") for entry in written}
-        tables = table.get("prediction", [])
-        heard = {name: told_by for name, told_by in stories.items() if name in told}
-        predictions = _read_predictions(tables, text, path.relative_to(root), heard)
-        chapters.append(Chapter(path.stem, title, questions, written, predictions))
-    if not chapters:
-        raise CourseError(f"{root / QUESTIONS} holds no questions; add a CHAPTER.toml.")
-    _reject_duplicates(chapters)
-    return Course(
-        root,
-        tuple(chapters),
-        settings.limits,
-        settings.kinds,
-        personal=settings.variants == "student",
-        others_count=settings.others_numbers == "count",
-        places=read_places(root),
-    )
-
-
-def _check_fields(table: Table, place: Place) -> str:
-    """The title of a file of questions, which holds nothing but what it may.
-
-    Raises:
-        CourseError: if there is none, or if there is anything else.
-    """
-    for name in table:
-        if name not in _FIELDS:
-            raise place.error(f"unknown field {name!r}; {meant(name, _FIELDS)}", (name,))
-    title = table.get("title")
-    if not isinstance(title, str):
-        raise place.error(
-            'a file of questions needs a title; write title = "..." in its first line'
-        )
-    return title
+        """A fingerprint of everything that can change a mark; see `course_version`."""
+        return course_version(self)
 
 
 def _named(name: str, there_are: Mapping[str, _T], refusal: str) -> _T:
@@ -392,78 +254,3 @@ def _named(name: str, there_are: Mapping[str, _T], refusal: str) -> _T:
     except (KeyError, TypeError):
         listed = ", ".join(there_are) or _("none")
         raise UsageError(_(refusal).format(name=repr(name), listed=listed)) from None
-
-
-def _read_stories(stories: object, text: str, file: Path) -> dict[str, Variables]:
-    place = Place(f"story in {file.as_posix()}", text, ("story",))
-    if not isinstance(stories, dict):
-        raise place.error("a story is a table such as [story.cloud]")
-    return {
-        name: read_variables(
-            table, name, Place(f"story {name!r} in {file.as_posix()}", text, ("story", name))
-        )
-        for name, table in stories.items()
-    }
-
-
-def _read_predictions(
-    tables: object, text: str, file: Path, stories: Mapping[str, Variables]
-) -> tuple[Prediction, ...]:
-    if not (isinstance(tables, list) and all(isinstance(table, dict) for table in tables)):
-        raise Place(file.as_posix(), text).error(
-            "each prediction is a table that begins with [[prediction]]", ("prediction",)
-        )
-    found = []
-    for number, table in enumerate(tables):
-        words = f"prediction {table.get('id', '?')!r} in {file.as_posix()}"
-        place = Place(words, text, ("prediction", number))
-        prediction = read_table(table, Prediction, place, chapter=file.stem)
-        if prediction.story:
-            if prediction.story not in stories:
-                raise place.error("no question of this file tells that story", ("story",))
-            try:
-                prediction.with_numbers(stories[prediction.story].numbers(0))
-            except CourseError as error:
-                raise place.error(str(error).rstrip("."), ("prompt",)) from None
-        found.append(prediction)
-    return tuple(found)
-
-
-def _reject_duplicates(chapters: list[Chapter]) -> None:
-    placed: dict[str, str] = {}
-    predicted: set[str] = set()
-    for chapter in chapters:
-        file = f"{chapter.name}.toml"
-        text = next((written.text for written in chapter.written), "")
-        for number, prediction in enumerate(chapter.predictions):
-            if prediction.id in predicted:
-                words = f"prediction {prediction.id!r} in {(QUESTIONS / file).as_posix()}"
-                place = Place(words, text, ("prediction", number))
-                raise place.error("two predictions have this id; rename one", ("id",))
-            predicted.add(prediction.id)
-        stored: dict[str, str] = {}
-        for question, written in zip(chapter.questions, chapter.written, strict=True):
-            if question.id in placed:
-                files = " and ".join(dict.fromkeys([placed[question.id], file]))
-                raise written.place.error(
-                    f"two questions have this id (in {files}); rename one", ("id",)
-                )
-            placed[question.id] = file
-            if question.name is None:
-                continue
-            if question.name in stored:
-                field = next(key for key, value in written.table.items() if value == question.name)
-                raise written.place.error(
-                    f"{stored[question.name]} and {question.id} both store their response in "
-                    f"{question.name!r}; rename one, or the later cell would overwrite the earlier",
-                    (field,),
-                )
-            stored[question.name] = question.id
-
-
-def _chapter_position(root: Path) -> Callable[[Path], str]:
-    """Sort key: the number in the master's file name, so chapters stand as in the notebooks."""
-    numbers = {
-        path.stem.partition("_")[2]: path.stem for path in (root / NOTEBOOKS).glob("[0-9]*_*.ipynb")
-    } | {path.stem.partition("_")[2]: path.stem for path in (root / MASTERS).glob("[0-9]*_*.py")}
-    return lambda path: numbers.get(path.stem, "~" + path.stem)

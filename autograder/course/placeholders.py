@@ -15,6 +15,7 @@ from functools import partial
 
 from autograder.errors import CourseError
 from autograder.questions.key_formulas import CONSTANTS, FUNCTIONS, evaluate_formula
+from autograder.questions.printed_number import as_written_down, printed
 from autograder.questions.strict_reader import Place
 from autograder.questions.toml_lines import Path
 
@@ -48,10 +49,7 @@ def fill(
     for key, value in table.items():
         try:
             if key in formulas and isinstance(value, str):
-                # As an author would write it down: the last bits are those of one order of
-                # operations.
-                exact = value_of(value, numbers)
-                filled[key] = exact if isinstance(exact, int) else float(f"{exact:.9g}")
+                filled[key] = as_written_down(value_of(value, numbers))
             else:
                 filled[key] = value if key in KEPT else _filled(value, numbers, formulas)
         except CourseError as error:
@@ -91,10 +89,7 @@ def _value(found: re.Match[str], numbers: Mapping[str, int | float], *, in_math:
     if not _is_of(formula, numbers):
         return found[0]
     value = value_of(formula, numbers)
-    try:
-        shown = format(value, form or ("d" if isinstance(value, int) else ".10g"))
-    except ValueError:
-        raise CourseError(f"{found[0]} has a format that a number cannot have.") from None
+    shown = printed(value, form, found[0])
     grouped = in_math and found.string[: found.start()][-1:] not in (
         "",
         " ",

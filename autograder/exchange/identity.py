@@ -6,16 +6,11 @@ handed something in is settled by the class list.
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 
 VARIANTS = "AUTOGRADER_VARIANTS"  # tells the process that marks which numbers a notebook has
 FILE = "student"  # the name of the file beside those of the chapters, and of the entry in it
 MOST = 200  # characters
-
-_SAID = re.compile(
-    r"""^me\([ ]*(?: "([^"\\\n]+)" | '([^'\\\n]+)' | (\d+) )[ ]*\)[ ]*(?:\#.*|;)?$""", re.M | re.X
-)
 
 
 def said_to_be(sidecars: Mapping[str, Mapping[str, object]]) -> str:
@@ -23,15 +18,6 @@ def said_to_be(sidecars: Mapping[str, Mapping[str, object]]) -> str:
     entry = sidecars.get(FILE, {}).get(FILE, {})
     name = entry.get("response") if isinstance(entry, dict) else None
     return clean(name) if isinstance(name, str) else ""
-
-
-def said_in_code(cells: Iterable[str]) -> str:
-    """The name or number in the last line ``me("...")`` of some cells; empty if there is none.
-
-    It stands in for what was kept with the responses, where only a notebook was handed in.
-    """
-    said = [group for cell in cells for groups in _SAID.findall(cell) for group in groups if group]
-    return clean(said[-1]) if said else ""
 
 
 def clean(name: str) -> str:

@@ -1,10 +1,12 @@
 """The gradebook: one SQLite file with runs, submissions, marks, overrides and notes."""
 
-from autograder.gradebook.book import Gradebook, Run
+from autograder.gradebook.book import Gradebook
 from autograder.gradebook.grading_scheme import Scheme
 from autograder.gradebook.lookup import find_record
 from autograder.gradebook.record import Attempt, Note, Override, Record
-from autograder.gradebook.schema import SCHEMA_VERSION, GradebookError
+from autograder.gradebook.runs import Run
+from autograder.gradebook.schema import SCHEMA_VERSION
+from autograder.gradebook.unusable_gradebook import GradebookError
 from autograder.gradebook.view import ClassView, view_class
 
 __all__ = [

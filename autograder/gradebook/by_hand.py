@@ -10,7 +10,8 @@ from typing import Any
 from autograder.course.questions import Question
 from autograder.errors import UsageError
 from autograder.gradebook.book import Gradebook
-from autograder.gradebook.record import Record, names_of, response_digest
+from autograder.gradebook.record import Record, response_digest
+from autograder.gradebook.student_names import names_of
 from autograder.gradebook.view import ClassView
 
 

@@ -24,7 +24,7 @@ from typing import Any
 from distributed import Reschedule, Status, Worker, WorkerPlugin, get_worker
 
 from autograder.course import Course, load_course
-from autograder.course.course import find_course_root
+from autograder.course.read_course import find_course_root
 from autograder.errors import AutograderError
 from autograder.grading.cluster_messages import Broken, pack_result, unpack_order
 from autograder.grading.dask_memory import forget_keys

@@ -18,7 +18,7 @@ from pathlib import Path
 from typing import Protocol
 
 from autograder.errors import machine_error, refuse_link
-from autograder.intake.submission_times import snapshot
+from autograder.intake.changed_files import snapshot
 from autograder.intake.submissions import Submission
 from autograder.language import N_
 

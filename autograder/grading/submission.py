@@ -9,9 +9,10 @@ from dataclasses import replace
 from autograder.course import Course
 from autograder.course.predictions import Guess
 from autograder.errors import AutograderError, machine_error
-from autograder.exchange.identity import said_in_code, said_to_be
+from autograder.exchange.identity import said_to_be
 from autograder.grading.chapter import grade_chapter
 from autograder.grading.graded_submission import Graded, grader_failed, same_mark_for_all
+from autograder.intake.name_in_code import said_in_code
 from autograder.intake.submissions import Contents, Submission
 from autograder.marking import Mark
 from autograder.marking.marker import Marker

@@ -18,7 +18,7 @@ from pathlib import Path
 from typing import IO
 
 from autograder.errors import raise_if_short
-from autograder.exchange.printable import printable
+from autograder.intake.names_in_sentences import shown
 from autograder.intake.notebook_reader import Unreadable
 from autograder.language import _
 
@@ -254,9 +254,3 @@ def too_many_files(most: int) -> Unreadable:
             "It holds more than {count} files; hand in only the notebooks and the folder responses."
         ).format(count=most)
     )
-
-
-def shown(name: str) -> str:
-    """A path from a student, fit for a sentence: its end, if it is long."""
-    clean = printable(name, "?")
-    return clean if len(clean) <= 80 else "…" + clean[-79:]

@@ -11,7 +11,8 @@ from pathlib import Path
 from typing import Protocol
 
 from autograder.errors import raise_if_short
-from autograder.intake.archive import Archive, open_archive, open_regular, shown
+from autograder.intake.archive import Archive, open_archive, open_regular
+from autograder.intake.names_in_sentences import shown
 from autograder.intake.notebook_reader import Unreadable
 from autograder.intake.origin import Piece
 

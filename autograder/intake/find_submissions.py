@@ -7,16 +7,12 @@ only thing there: what a student's zip holds can never become somebody else's su
 
 from __future__ import annotations
 
-from array import array
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from itertools import pairwise
 from pathlib import Path
 
 from autograder.course import Settings
 from autograder.errors import UsageError
-from autograder.exchange.printable import JOINERS
-from autograder.intake.archive import shown
 from autograder.intake.autograder_files import OWN, is_reports, without_own_files
 from autograder.intake.file_or_zip import (
     DiskPlace,
@@ -30,14 +26,19 @@ from autograder.intake.layouts import LAYOUTS, plain
 from autograder.intake.layouts.layout import Context, Entry, Found, PassedOver, visible
 from autograder.intake.layouts.plain import Verdict
 from autograder.intake.long_list import LongList
-from autograder.intake.origin import Origin
-from autograder.intake.submissions import Submission, student_name
+from autograder.intake.names_in_sentences import shown
+from autograder.intake.signs_of_a_download import (
+    ask_which_download,
+    has_marks,
+    is_class,
+    is_download,
+)
+from autograder.intake.student_keys import with_unique_keys
+from autograder.intake.submissions import Submission
 
 LAYOUT_NAMES = (*(layout.name for layout in LAYOUTS), plain.CLASS, plain.ONE)
 _DEEPEST = 4  # folders above the one that holds the class
 _FEW_DOWNLOADS = 6  # side by side; more zips are students'
-_SURELY_A_CLASS = 3  # submissions; fewer may be one student's drafts
-_NAMED = 4
 
 
 @dataclass
@@ -80,7 +81,7 @@ def take_in(
     for other in found[1:]:
         entries += other.entries
     return Intake(
-        _with_unique_keys(entries, known_keys or {}),
+        with_unique_keys(entries, known_keys or {}),
         [passed for one in found for passed in one.passed_over],
         rules,
         [warning for one in found for warning in one.warnings],
@@ -209,16 +210,16 @@ def _look_below(
     if len(work) < 2:
         if layout is None and any(is_notebook_name(place.name) for place in visible(folder)):
             inside = [as_folder_if_readable(place) or place for place in work]
-            _ask_which_download(folder, inside, context)
+            ask_which_download(folder, inside, context)
         return None
     folders = [place for place in work if place.is_folder]
     if len(folders) < len(work):
         if layout is None and len(work) <= _FEW_DOWNLOADS:
             return _look_into_zips(folder, work, context, is_archive, depth)
         return None
-    if not all(_has_marks(place) or _is_class(place, context) for place in folders):
+    if not all(has_marks(place) or is_class(place, context) for place in folders):
         if layout is None and len(work) <= _FEW_DOWNLOADS:
-            _ask_which_download(folder, folders, context)
+            ask_which_download(folder, folders, context)
         return None
     return _look_at_several(folders, context, layout, is_archive, depth)
 
@@ -228,52 +229,10 @@ def _look_into_zips(
 ) -> Found | None:
     """Several downloads, each a zip as it came; a person is asked if one of them lies unpacked."""
     inside = [as_folder_if_readable(place) or place for place in work]
-    if all(map(is_zip, work)) and all(map(_has_marks, inside)) and any(map(_is_download, inside)):
+    if all(map(is_zip, work)) and all(map(has_marks, inside)) and any(map(is_download, inside)):
         return _look_at_several(inside, context, None, is_archive, depth)
-    _ask_which_download(folder, inside, context)
+    ask_which_download(folder, inside, context)
     return None
-
-
-def _ask_which_download(folder: Place, work: Sequence[Place], context: Context) -> None:
-    """Stop where a download lies beside something else that is nobody's of the list."""
-    downloads = [place for place in work if _is_download(place)]
-    books = [place for place in visible(folder) if is_notebook_name(place.name)]
-    downloads = downloads or [place for place in work if _is_whole_class(place, work, context)]
-    if downloads and not any(plain.is_person(place, context) for place in work):
-        others = [place for place in (*work, *books) if place is not downloads[0]]
-        beside = ", ".join(shown(place.name) for place in others[:_NAMED])
-        raise UsageError(
-            f"{shown(downloads[0].text())} looks like a download of a whole class, and beside it "
-            f"lies {beside}. Give the download alone, or say --layout class if each of them is one "
-            "student's, or --layout one if all of it is."
-        )
-
-
-def _has_marks(place: Place) -> bool:
-    """Whether a folder, or the only one in it, has the marks of a system."""
-    folder = plain.is_wrapped(place) or place if place.is_folder else place
-    return folder.is_folder and any(known.recognises(folder) for known in LAYOUTS)
-
-
-def _is_download(place: Place) -> bool:
-    """Whether it has a system's marks, and holds more than one student's folder in a class has."""
-    folder = plain.is_wrapped(place) or place if place.is_folder else place
-    handed_in = [p for p in visible(folder) if p.is_folder or is_zip(p) or is_notebook_name(p.name)]
-    return len(handed_in) >= 2 and _has_marks(place)
-
-
-def _is_whole_class(place: Place, beside: Sequence[Place], context: Context) -> bool:
-    """Whether a folder can hardly be one student's, by what lies in it and what it is called."""
-    if not place.is_folder or not _is_class(place, context, _SURELY_A_CLASS):
-        return False
-    known = [p for p in visible(place) if plain.is_person(p, context)]
-    called = plain.is_generic(plain.stem_of(place), context)
-    return len(beside) == 1 or called or len(known) >= _SURELY_A_CLASS
-
-
-def _is_class(place: Place, context: Context, fewest: int = 2) -> bool:
-    many = len(plain.signs_in(place, context).of_class) >= fewest
-    return many and plain.judge(place, context) is Verdict.CLASS
 
 
 def _look_at_several(
@@ -314,70 +273,3 @@ def _beside(folder: Place, found: Found | None, wrapped: Place) -> Found | None:
             reason, needs_person = plain.why_not(place, Context(Settings()))
             found.pass_over(place, reason or "lies beside the folder of the class", needs_person)
     return found
-
-
-def _with_unique_keys(
-    entries: Sequence[Entry], known: Mapping[tuple[str, str], str]
-) -> LongList[Submission]:
-    """Each entry with a key of its own: that of the gradebook, the name, or the name and a number.
-
-    Of several with one name those that a system tells apart get its number behind the name; of the
-    others the second becomes ``ada (2)``, and all say so.
-    """
-    # Of the names of a large class only digests are kept: all of them would take much room.
-    names = array("q", (_digest(student_name(entry.key)) for entry in entries))
-    namesakes = _namesakes(entries, names)
-    every_name = set(names) if namesakes or known else set()
-    taken = {_digest(key) for key in known.values()}
-    used: set[str] = set()
-    submissions: LongList[Submission] = LongList(Submission)
-    for number, entry in enumerate(entries):
-        name = student_name(entry.key)
-        same = namesakes.get(_alike(name), {number: entry})
-        notes = entry.notes
-        key = known.get((entry.origin.layout, entry.origin.prefix))
-        if key in used:
-            key = None
-        elif key is not None:
-            used.add(key)
-        if len(same) > 1 and not entry.apart:
-            called = ", ".join(shown(other.origin.prefix) for other in list(same.values())[:5])
-            notes = (
-                f"Several submissions are named {name} ({called}); each is marked by itself.",
-                *notes,
-            )
-        if key is None:
-            place = list(same).index(number) + 1
-            first = place == 1 and not entry.apart
-            key = name if len(same) == 1 or first else f"{name} ({entry.apart or place})"
-            another = 2
-            wanted = key
-            while _digest(key) in taken or (key != name and _digest(key) in every_name):
-                key = f"{wanted} ({another})"
-                another += 1
-            taken.add(_digest(key))
-        submissions.append(Submission(key, _path(entry.origin), notes, entry.origin))
-    return submissions
-
-
-def _namesakes(entries: Sequence[Entry], names: Sequence[int]) -> dict[str, dict[int, Entry]]:
-    """The entries that share a name with another, by that name and by their number."""
-    repeated = {a for a, b in pairwise(sorted(names)) if a == b}
-    by_name: dict[str, dict[int, Entry]] = {}
-    for number, entry in enumerate(entries) if repeated else ():
-        if names[number] in repeated:
-            by_name.setdefault(_alike(student_name(entry.key)), {})[number] = entry
-    return by_name
-
-
-def _digest(name: str) -> int:
-    """A number in place of a name, the same for names that are alike."""
-    return hash(_alike(name))
-
-
-def _alike(name: str) -> str:
-    return "".join(c for c in name if c not in JOINERS).casefold()
-
-
-def _path(origin: Origin) -> Path:
-    return origin.pieces[0].path

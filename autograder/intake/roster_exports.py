@@ -16,10 +16,10 @@ from datetime import tzinfo
 from pathlib import Path
 
 from autograder.errors import CourseError
-from autograder.intake.match_people import is_anonymous, plain_name
+from autograder.intake.name_spellings import is_anonymous, plain_name
 from autograder.intake.person import Person
 from autograder.intake.spreadsheets import column, read_rows
-from autograder.intake.submission_times import read_time
+from autograder.intake.time_spellings import read_time
 
 _FIRST = ("first name", "firstname", "given name", "first", "vorname", "prénom", "nombre")
 _LAST = ("last name", "lastname", "surname", "family name", "last", "nachname", "nom", "apellidos",

@@ -2,27 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
-from datetime import datetime
+from collections.abc import Sequence
+from dataclasses import dataclass, field
 
 from autograder.intake.class_list import ClassList
-from autograder.intake.file_or_zip import DiskPlace
 from autograder.intake.layouts.layout import PassedOver
-from autograder.intake.long_list import LongList
 from autograder.intake.match_people import Match
 from autograder.intake.origin import (
-    CLASS_LIST,
-    FILE,
-    INSIDE,
-    LAYOUT,
-    TIMES_FILE,
     Origin,
     as_utc_text,
 )
-from autograder.intake.packed_time import hinted_time
 from autograder.intake.person import Person
-from autograder.intake.submission_times import doubt, snapshot
 from autograder.intake.submissions import Submission
 from autograder.language import _, n_
 
@@ -72,7 +62,7 @@ class Summary:
     def late(self) -> list[Row]:
         """What is late by the class list's due time, or by the word of the layout."""
         return [
-            row for row in self.rows if row.days or (row.origin.called_late and not _timed(row))
+            row for row in self.rows if row.days or (row.origin.called_late and not has_time(row))
         ]
 
     @property
@@ -187,145 +177,6 @@ def person_fields(person: Person) -> dict[str, str]:
     return {key: getattr(person, key) for key in keys}
 
 
-def summarise(
-    submissions: Sequence[Submission],
-    class_list: ClassList,
-    times: Mapping[str, datetime] | None = None,
-    trust_times: bool = False,
-) -> Summary:
-    """Whose each submission is and when it was handed in; `Summary.rows` has the times.
-
-    ``times`` is what a ``times.csv`` says; with ``trust_times`` the times of files count where
-    nothing better is known, and penalties are taken whatever the times look like.
-    """
-    matches = {}
-    if class_list.students:  # whose one is depends on whose the others may be
-        matches = class_list.match_all({entry.student: entry.origin for entry in submissions})
-    rows: LongList[Row] = LongList(Row)
-    called: set[str] = set()
-    for submission in submissions:
-        key = submission.student
-        match = matches.get(key) or class_list.match_all({key: submission.origin})[key]
-        origin = _timed_origin(submission, match, times or {}, trust_times)
-        called |= {name.casefold() for name in _called(submission, match)}
-        days = 0
-        if origin.handed_in is not None:
-            days = class_list.days_late(origin.handed_in, match.people)
-        percent = class_list.late.percent(days) if class_list.late else 0.0
-        rows.append(Row(replace(submission, origin=origin), match, days, percent))
-    summary = Summary(class_list, rows)
-    found = {person for row in rows for person in row.match.people}
-    summary.missing = tuple(person for person in class_list.students if person not in found)
-    called |= {
-        name.casefold()
-        for person in summary.missing
-        for name in (*person.identifiers(), person.name)
-    }
-    strange = sorted(set(times or {}) - called)
-    if strange:
-        more = f" and {len(strange) - 5} more" if len(strange) > 5 else ""
-        summary.warnings.append(
-            f"The table of times names {', '.join(strange[:5])}{more}, from whom nothing was "
-            "handed in. Correct the names there, or take the lines out."
-        )
-    _look_at_times(summary, trust_times)
-    return summary
-
-
-def _look_at_times(summary: Summary, trust_times: bool) -> None:
-    """Say what is odd about the times, and take nothing off for what is not sure."""
-    if summary.class_list.late is None:
-        return
-    # What a person wrote into the class list, or said to trust, is not doubted.
-    watched = [row for row in summary.rows if _timed(row) and row.origin.time_from != CLASS_LIST]
-    doubted = doubt([(row.origin.handed_in, bool(row.days)) for row in watched if _timed(row)])  # type: ignore[misc]
-    if doubted and not trust_times:
-        summary.warnings.append(doubted.sentence)
-    hints = [row for row in watched if row.origin.time_from == INSIDE and row.days]
-    if hints and not trust_times:
-        summary.warnings.append(
-            f"{_some(hints)} may be late, but only the submission itself says when, which students "
-            "can change; no penalty is taken. Give --times FILE, or --trust-times."
-        )
-    if not trust_times:
-        withheld = watched if doubted else hints
-        students = {row.submission.student for row in withheld}
-        withheld_rows = (
-            replace(row, percent=0.0) if row.submission.student in students else row
-            for row in summary.rows
-        )
-        summary.rows = LongList(Row, withheld_rows)
-    marked = [row for row in summary.rows if row.origin.called_late and not _timed(row)]
-    if marked:
-        summary.warnings.append(
-            f"{_some(marked)}: the download calls this late and does not say when it was handed "
-            "in, so no penalty is taken. Give --times FILE."
-        )
-    unknown = [row for row in summary.rows if not _timed(row) and not row.origin.called_late]
-    if unknown:
-        summary.warnings.append(
-            f"Nothing says when {_some(unknown)} handed in, so nothing is late there. Give --times "
-            "FILE, or --trust-times to take the times of the files."
-        )
-
-
-def _some(rows: Sequence[Row]) -> str:
-    names = [row.submission.student for row in rows[:4]]
-    more = f" and {len(rows) - 4} more" if len(rows) > 4 else ""
-    return ", ".join(names) + more
-
-
-def _timed(row: Row) -> bool:
+def has_time(row: Row) -> bool:
+    """Whether it is known when it was handed in."""
     return row.origin.handed_in is not None
-
-
-def _timed_origin(
-    submission: Submission,
-    match: Match,
-    times: Mapping[str, datetime],
-    trust_times: bool,
-) -> Origin:
-    """The origin with the first time that is known, in the order that the times module gives."""
-    origin = submission.origin
-    for person in match.people:
-        if person.handed_in is not None:
-            return origin.at(person.handed_in, CLASS_LIST)
-    if origin.time_from == LAYOUT:
-        return origin
-    for person in match.people:
-        if person.noted_time is not None:
-            return origin.at(person.noted_time, LAYOUT)
-    for name in _called(submission, match):
-        if name.casefold() in times:
-            return origin.at(times[name.casefold()], TIMES_FILE)
-    if origin.time_from == TIMES_FILE and not times:
-        return origin  # as an earlier run was told
-    if origin.time_from == INSIDE:
-        return origin
-    hint = hinted_time(submission.pieces)
-    if hint is not None:
-        return origin.at(hint, INSIDE)
-    if trust_times:
-        return origin.at(_file_time(submission), FILE)
-    return origin.at(None, "")
-
-
-def _called(submission: Submission, match: Match) -> list[str]:
-    """Everything that a row of times.csv may call a submission."""
-    names = [submission.student, submission.origin.prefix]
-    for piece in submission.pieces:
-        names += [piece.name, piece.name.rpartition(".")[0]]
-    for claim in submission.origin.claims:
-        names += [claim.login, claim.email, claim.id, claim.number, claim.called]
-    for person in match.people:
-        names += [*person.identifiers(), person.number]
-    if match.people:
-        names.append(match.people[0].name)
-    return [name for name in dict.fromkeys(names) if name]
-
-
-def _file_time(submission: Submission) -> datetime | None:
-    """The newest file of a submission; a zip's entries have no zone, so the zip's own time."""
-    seen = snapshot([piece.path for piece in submission.pieces])
-    times = [DiskPlace(path).time for path in seen]
-    return max((time for time in times if time is not None), default=None)

@@ -9,7 +9,7 @@ from autograder.course import Course
 from autograder.gradebook.record import Record
 from autograder.marking import STATUSES
 from autograder.reports.class_summary import ClassFindings, gather
-from autograder.reports.statistics import needs_help, section_of
+from autograder.reports.who_needs_help import needs_help, section_of
 from autograder.reports.whole_files import write_csv
 
 

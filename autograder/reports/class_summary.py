@@ -12,21 +12,16 @@ from dataclasses import dataclass, field
 from typing import Any, Generic, TypeVar
 
 from autograder.course import Course
-from autograder.gradebook.record import Names, Record
+from autograder.gradebook.record import Record
+from autograder.gradebook.student_names import Names
 from autograder.language import N_
+from autograder.reports.broken_questions import STOPPED
+from autograder.reports.common_mistakes import Mistake, MistakesMade
 from autograder.reports.json_output import most_for
 from autograder.reports.predictions import Predicted
-from autograder.reports.statistics import (
-    STOPPED,
-    Mistake,
-    MistakesMade,
-    Needy,
-    QuestionStatistics,
-    QuestionSums,
-    needs_help,
-    section_of,
-)
+from autograder.reports.question_statistics import QuestionStatistics, QuestionSums
 from autograder.reports.variant_difficulty import Difficulty, VariantSums
+from autograder.reports.who_needs_help import Needy, needs_help, section_of
 
 MOST_NAMED = 400  # students of one kind on a page
 _MOST_REASONS = 1000  # of failures; students can make up as many as they like

@@ -16,7 +16,7 @@ from autograder.course import Course
 from autograder.course.questions import Question
 from autograder.gradebook.record import Record
 from autograder.intake.class_list import ClassList
-from autograder.intake.match_people import plain_name
+from autograder.intake.name_spellings import plain_name
 from autograder.intake.person import Person
 from autograder.language import _
 from autograder.reports.grades_csv import NOT_YET, points_cell

@@ -8,13 +8,13 @@ from urllib.parse import quote
 import numpy as np
 
 from autograder.course import Course
-from autograder.gradebook.record import Names
+from autograder.gradebook.student_names import Names
 from autograder.gradebook.view import ClassView
 from autograder.language import _, n_
 from autograder.reports.class_summary import MOST_NAMED, ClassFindings, Section
 from autograder.reports.html_page import table
 from autograder.reports.markdown import isolated, text
-from autograder.reports.statistics import Needy
+from autograder.reports.who_needs_help import Needy
 from autograder.reports.whole_files import file_name
 
 _MOST_MISTAKES = 3  # named beside a student

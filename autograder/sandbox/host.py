@@ -14,7 +14,6 @@ import time
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
 from pathlib import Path
-from tempfile import TemporaryDirectory
 
 from autograder.course import Settings
 from autograder.course.folders import VISIBLE_FILES
@@ -22,16 +21,16 @@ from autograder.errors import AutograderError, MachineError, machine_error, shor
 from autograder.exchange.channel import Channel
 from autograder.exchange.messages import Message
 from autograder.sandbox import bubblewrap, landlock, seccomp
+from autograder.sandbox.compiled_libraries import compile_libraries, font_folder
 from autograder.sandbox.control_group import ControlGroup
 from autograder.sandbox.own_folder import OwnFolder
 from autograder.sandbox.own_user import OwnIdentity
-from autograder.sandbox.stale_bytecode import stale_modules
+from autograder.sandbox.staged_notebooks import stage
 
 _SYSTEM_FILES = ("/etc/ld.so.cache", "/etc/localtime")
 _PACKAGE = Path(__file__).parents[1]
 _WARM_SECONDS = 120.0
 _ANSWER_SECONDS = 15.0
-_SPARE_PROCESSES = 256  # what an instructor may start while a notebook runs
 # A sandbox ends with the thread that started it; this one lives as long as the process.
 _starter = ThreadPoolExecutor(1, "sandbox-starter")
 
@@ -395,72 +394,3 @@ def _short_by(said: str) -> MachineError | None:
 def _is_closed(folder: Path) -> bool:
     """Whether others may not enter a folder or one above it."""
     return any(not parent.stat().st_mode & 1 for parent in (folder, *folder.parents))
-
-
-def stage(root: Path, folder: Path) -> None:
-    """Copy what a notebook's working folder shows.
-
-    That is the course's notebooks folder without the notebooks themselves and without anybody's
-    responses.
-    """
-    source = root / "notebooks"
-    target = folder / "notebooks"
-    if not source.is_dir():
-        target.mkdir()
-        return
-    ignored = shutil.ignore_patterns("responses", "*.ipynb", "*.zip", "__pycache__", ".*")
-    shutil.copytree(source, target, ignore=ignored)
-    for path in (target, *target.rglob("*")):
-        path.chmod(0o755 if path.is_dir() else 0o644)
-
-
-def font_folder() -> Path | None:
-    """Where matplotlib keeps its list of fonts on this machine, if it has one."""
-    cache = os.environ.get("XDG_CACHE_HOME") or "~/.cache"
-    given = os.environ.get("MPLCONFIGDIR")
-    folder = Path(given) if given else Path(cache).expanduser() / "matplotlib"
-    return folder if any(folder.glob("fontlist-*.json")) else None
-
-
-def compile_libraries() -> None:
-    """Make Python keep compiled modules and matplotlib its fonts, if they are not of use yet.
-
-    The sandbox writes nothing, so without this every run would compile sympy anew.
-    """
-    if font_folder() is not None and next(stale_modules(), None) is None:
-        return
-    environment = {k: v for k, v in os.environ.items() if k != "PYTHONDONTWRITEBYTECODE"}
-    environment["PYTHONPATH"] = str(_PACKAGE.parent)
-    with suppress(subprocess.TimeoutExpired, OSError), TemporaryDirectory() as responses:
-        environment["AUTOGRADER_RESPONSES"] = responses
-        subprocess.run(
-            # This runs with the instructor's rights, so nothing may be imported from the current
-            # folder, which may hold what students handed in.
-            [sys.executable, "-P", "-m", "autograder.sandbox.inside.warm_imports"],
-            cwd="/",
-            env=environment,
-            stdin=subprocess.DEVNULL,
-            stdout=subprocess.DEVNULL,
-            stderr=subprocess.DEVNULL,
-            timeout=_WARM_SECONDS,
-            check=False,
-        )
-
-
-def limits(settings: Settings) -> Message:
-    """What one notebook may use, for the kernel and for the zygote's own look."""
-    return {
-        "limits": {
-            "memory_mb": settings.memory_mb,
-            "cpu_seconds": settings.cpu_seconds,
-            "processes": settings.processes + 1,
-            "spare": _SPARE_PROCESSES,
-            "file_mb": settings.files_mb,
-        },
-        "usage": {
-            "memory_mb": settings.memory_mb,
-            "processes": settings.processes,
-            "files": settings.files,
-            "files_mb": settings.files_mb,
-        },
-    }

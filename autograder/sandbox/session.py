@@ -18,9 +18,10 @@ from autograder.exchange.channel import Channel, Late
 from autograder.exchange.messages import Evaluation, Message, Report
 from autograder.exchange.replies import clean_evaluation, clean_report
 from autograder.language import N_
-from autograder.sandbox.host import Host, HostError, limits
+from autograder.sandbox.host import Host, HostError
 from autograder.sandbox.machine_to_blame import Doubt
-from autograder.sandbox.stop_errors import BY_SIGNAL, BY_THE_SYSTEM, Stopped, out_of_time
+from autograder.sandbox.notebook_limits import limits
+from autograder.sandbox.stop_errors import BY_THE_SYSTEM, Stopped, out_of_time, stop_by
 
 GRACE = 1.0  # seconds between the child's own limit and the one kept here
 PATIENCE = 20  # times a limit: how long to wait for a child that is given no processor
@@ -146,7 +147,7 @@ class Session:
             ended_by = answer.get("ended_by")  # whatever a student's process says
             if isinstance(ended_by, int) and ended_by in (signal.SIGKILL, signal.SIGALRM):
                 self._doubt.is_unexplained = True
-            raise _stop_by(answer.get("ended_by"))
+            raise stop_by(answer.get("ended_by"))
         return answer
 
     def _run(self, names: list[str]) -> Report:
@@ -381,17 +382,3 @@ def _carries(answer: object, nonce: str) -> bool:
     """
     given = answer.get("nonce") if isinstance(answer, dict) else None
     return isinstance(given, str) and given == nonce
-
-
-def _stop_by(number: object) -> Stopped:
-    """What it means that the fork for one question ended without an answer.
-
-    ``number`` is the signal that ended it, or anything else that student code sent.
-    """
-    if type(number) is not int:
-        number = 0
-    if number in (signal.SIGALRM, signal.SIGPROF):
-        return Stopped("timeout")
-    if number == signal.SIGXCPU:
-        return Stopped("timeout", BY_SIGNAL[signal.SIGXCPU])
-    return Stopped("killed", BY_SIGNAL.get(number, N_("it ended its own process")))

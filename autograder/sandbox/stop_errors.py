@@ -32,3 +32,17 @@ class Stopped(Exception):
 def out_of_time() -> Stopped:
     """What is raised where a submission has used up the time that all of it may take."""
     return Stopped("timeout", N_("the submission as a whole had used up its time"))
+
+
+def stop_by(number: object) -> Stopped:
+    """What it means that the fork for one question ended without an answer.
+
+    ``number`` is the signal that ended it, or anything else that student code sent.
+    """
+    if type(number) is not int:
+        number = 0
+    if number in (signal.SIGALRM, signal.SIGPROF):
+        return Stopped("timeout")
+    if number == signal.SIGXCPU:
+        return Stopped("timeout", BY_SIGNAL[signal.SIGXCPU])
+    return Stopped("killed", BY_SIGNAL.get(number, N_("it ended its own process")))

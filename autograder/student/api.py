@@ -9,18 +9,16 @@ from pathlib import Path
 
 from autograder.course import Course, load_course
 from autograder.errors import AutograderError, UsageError
-from autograder.language import N_, _, follow_environment
+from autograder.language import _, follow_environment
 from autograder.questions.registry import kind_of
 from autograder.student import unsaved
 from autograder.student.course_path import course_of_notebook, put_course_first
 from autograder.student.desk import Desk
-from autograder.student.frontend import colab_notebook, in_colab, widgets_wanted
+from autograder.student.frontend import widgets_wanted
 from autograder.student.identity import become, student_of
 from autograder.student.live_view import Live, Shown, View
 from autograder.student.marker_client import marker_for
-from autograder.student.put_into_drop_folder import drop
-from autograder.student.responses import answered, responses_folder
-from autograder.student.submission import asks_for_a_name, pack_submission
+from autograder.student.submit import pack_and_say
 from autograder.student.views import (
     HintView,
     IdentityView,
@@ -29,18 +27,9 @@ from autograder.student.views import (
     PredictionView,
     ProgressView,
     QuestionView,
-    SubmissionView,
 )
 
 MISSING: object = object()
-COLAB = N_(
-    "Download it from the panel of files (the folder on the left) before you close the page: "
-    "Colab forgets its files."
-)
-NO_COPY = N_(
-    "Colab did not hand over your notebook, so the file lacks it. Run `submit()` again; if that "
-    "does not help, hand in the notebook as well (File, Download, Download .ipynb)."
-)
 
 put_course_first()
 unsaved.watch()
@@ -281,41 +270,11 @@ def _progress() -> object:
 
 def _submit(to: Path | None) -> object:
     desk = _desk()
-    view = _pack(desk, to)
+    view = pack_and_say(desk, to)
 
     def widget() -> Shown:
         from autograder.student.widgets.submission import SubmissionWidget
 
-        return SubmissionWidget(desk, view, lambda: _pack(desk, to))
+        return SubmissionWidget(desk, view, lambda: pack_and_say(desk, to))
 
     return _shown(view, widget)
-
-
-def _pack(desk: Desk, to: Path | None) -> SubmissionView:
-    on_screen = colab_notebook()
-    packed = pack_submission(desk.course, responses_folder(desk.course.root), on_screen)
-    entries = desk.entries()
-    unanswered = [
-        question
-        for question in desk.course.questions.values()
-        if not answered(entries[question.chapter].get(question.id))
-    ]
-    warning = ""
-    if on_screen is None:
-        warning = _(NO_COPY) if in_colab() else unsaved.unsaved_work(packed.folder)
-    advice, taken = _(COLAB) if in_colab() else "", False
-    if to is not None and warning:
-        advice = _("Nothing was put into {folder}.").format(folder=to)
-    elif to is not None:
-        put = drop(packed.path, to)
-        advice = _("Handed in as {path}; the newest counts.").format(path=put)
-        taken = True
-    nameless = ""
-    if not desk.student and asks_for_a_name(packed.folder):
-        call = '`me("Ada Lovelace")`'
-        sentence = _(
-            "You have not said who you are. Run {call} with your own name, then submit() again."
-        )
-        nameless = sentence.format(call=call)
-    count = len(desk.course.questions)
-    return SubmissionView(packed, unanswered, count, warning, advice, taken, nameless)

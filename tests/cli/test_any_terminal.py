@@ -14,7 +14,8 @@ from rich.console import Console
 
 from autograder.course import Course
 from autograder.gradebook import Record
-from autograder.reports.terminal import print_record, print_table
+from autograder.reports.terminal import print_table
+from autograder.reports.terminal_student import print_record
 from tests.classroom import all_marks, graded, hand_in, make_course, mark
 
 NAME = "Łukasz Müller"

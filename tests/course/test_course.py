@@ -2,15 +2,13 @@
 
 import contextlib
 import copy
-import json
 import re
-import shutil
 import tomllib
 from typing import Any
 
 import pytest
 
-from autograder.course import Settings, find_course_root, load_course
+from autograder.course import find_course_root, load_course
 from autograder.course.questions import question_from_table
 from autograder.errors import CourseError, UsageError
 from autograder.kinds.expression.question import Expression
@@ -238,145 +236,6 @@ def test_a_variable_of_the_environment_names_the_course(toy, tmp_path, monkeypat
     monkeypatch.chdir(tmp_path)
     monkeypatch.setenv("AUTOGRADER_COURSE", str(toy.root))
     assert load_course().root == toy.root
-
-
-@pytest.mark.parametrize(
-    ("file", "changes"),
-    [
-        ("notebooks/questions/kitchen.toml", True),
-        ("solutions/answers/cellar.toml", True),
-        ("solutions/kitchen.py", True),
-        ("notebooks/source/1_kitchen.py", False),
-        ("notebooks/figures/plots.py", True),
-        ("data/scan.csv", True),
-        ("data/deep/inside.bin", True),
-        ("data/__pycache__/inside.pyc", False),
-        ("notebooks/responses/kitchen.json", False),
-        ("README.md", False),
-    ],
-)
-def test_the_version_changes_with_everything_that_can_change_a_mark(toy, file, changes):
-    (toy.root / file).parent.mkdir(parents=True, exist_ok=True)
-    toy.append(file, "\n# a file\n")
-    before = toy.load().version
-    assert toy.load().version == before
-    toy.append(file, "\n# a remark\n")
-    assert (toy.load().version != before) == changes
-
-
-def test_the_version_changes_with_the_settings_and_the_demo_cells(toy):
-    toy.write_notebooks()
-    before = toy.load().version
-    toy.set("question_seconds = 21")
-    slower = toy.load().version
-    assert slower != before
-    toy.append("pyproject.toml", "\n[tool.other]\nname = 1\n")
-    assert toy.load().version == slower
-    book = toy.root / "notebooks/1_kitchen.ipynb"
-    document = json.loads(book.read_text())
-    document["cells"][1]["metadata"]["tags"] = ["demo"]
-    book.write_text(json.dumps(document))
-    assert toy.load().version != slower
-
-
-def test_the_version_changes_with_the_autograder_that_marks_and_not_with_its_reports(
-    toy, tmp_path, monkeypatch
-):
-    from autograder.course import course
-
-    package = tmp_path / "autograder"
-    for folder in ("marking", "reports"):
-        (package / folder).mkdir(parents=True)
-        (package / folder / "it.py").write_text("one = 1")
-    monkeypatch.setattr(course, "_PACKAGE", package)
-    before = toy.load().version
-    (package / "reports/it.py").write_text("two = 2")
-    assert toy.load().version == before
-    (package / "marking/it.py").write_text("two = 2")
-    assert toy.load().version != before
-
-
-def test_the_version_is_that_of_another_checkout(toy, tmp_path):
-    (toy.root / "data").mkdir()
-    (toy.root / "data/scan.csv").write_text("1, 2")
-    copy = tmp_path / "elsewhere"
-    shutil.copytree(toy.root, copy, copy_function=shutil.copyfile)
-    assert load_course(copy).version == toy.load().version
-
-
-def test_settings_come_from_pyproject_and_the_rest_from_the_defaults(toy):
-    settings = toy.set("memory_mb = 300\nnotebook_seconds = 60").load().settings
-    assert (settings.memory_mb, settings.notebook_seconds) == (300, 60)
-    assert settings.cell_seconds == Settings().cell_seconds
-
-
-def test_a_course_without_pyproject_has_the_default_limits(toy):
-    (toy.root / "pyproject.toml").unlink()
-    assert toy.load().settings == Settings()
-
-
-@pytest.mark.parametrize(
-    "line",
-    [
-        "memory_gb = 1",
-        "memory_mb = 0",
-        "memory_mb = -3",
-        'memory_mb = "much"',
-        "memory_mb = true",
-        "memory_mb = nan",
-        "memory_mb = inf",
-        "processes = 1.5",
-        "files = 2.0",
-        "memory_mb = 10000000",
-        "cell_seconds = nan",
-        "cell_seconds = inf",
-        "cell_seconds = -inf",
-        "cell_seconds = true",
-        "cell_seconds = 0.0",
-        "cell_seconds = 1e30",
-        "cell_seconds = [1]",
-        "cell_seconds = 2026-01-01",
-    ],
-)
-def test_a_setting_that_is_unknown_or_no_positive_number_is_said(toy, line):
-    toy.append("pyproject.toml", line + "\n")
-    sentence = refusal(toy)
-    assert line.split()[0] in sentence
-    assert "pyproject.toml" in sentence
-    assert sentence.endswith(".")
-
-
-@pytest.mark.parametrize(
-    ("line", "words"),
-    [
-        ("memory_bm = 300", "perhaps 'memory_mb' is meant"),
-        ("memory_mb = 0", "memory_mb is 0; give a number of at least 1"),
-        ('variants = "students"', "write 'sheet' or 'student'"),
-        ('packages = ["not a name"]', 'such as packages = ["pandas"]'),
-        ("kinds = 3", "kinds is 3, and must be a list in [...]"),
-    ],
-)
-def test_a_wrong_setting_is_said_with_its_line_and_what_to_write(toy, line, words):
-    toy.append("pyproject.toml", "\n" + line + "\n")
-    text = (toy.root / "pyproject.toml").read_text()
-    number = text.splitlines().index(line) + 1
-    sentence = refusal(toy)
-    assert f"pyproject.toml, line {number}: " in sentence or "packages" in line
-    assert words in sentence
-
-
-def test_seconds_may_be_a_fraction(toy):
-    toy.append("pyproject.toml", "cell_seconds = 0.5\n")
-    assert toy.load().settings.cell_seconds == 0.5
-
-
-@pytest.mark.parametrize("text", ["tool = 3\n", "[tool]\nautograder = 3\n"])
-def test_settings_that_are_no_table_are_refused_or_nobodys(toy, text):
-    (toy.root / "pyproject.toml").write_text(text)
-    if text.startswith("tool"):
-        assert toy.load().settings == Settings()
-    else:
-        assert "must be a table" in refusal(toy)
 
 
 def test_every_question_of_the_sheet_is_asked_and_answered(real_course):

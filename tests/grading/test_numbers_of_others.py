@@ -13,16 +13,17 @@ from autograder.cli import main
 from autograder.course import Course
 from autograder.course.places import FILE as FILE_OF_PLACES
 from autograder.course.places import make_places
-from autograder.exchange.identity import FILE, said_in_code
+from autograder.exchange.identity import FILE
 from autograder.gradebook import Record
 from autograder.gradebook.book import Gradebook
 from autograder.grading.graded_submission import Graded
 from autograder.grading.submission import grade_contents, grade_submission
+from autograder.intake.name_in_code import said_in_code
 from autograder.intake.submissions import Contents, Notebook, Submission
 from autograder.marking import Mark
 from autograder.marking.marker import Marker
 from autograder.reports.class_html import class_html
-from autograder.reports.statistics import MistakesMade
+from autograder.reports.common_mistakes import MistakesMade
 from autograder.reports.variant_difficulty import Difficulty, VariantSums
 from autograder.sandbox.launcher import Isolation, Sandbox
 from tests.toy import make_toy

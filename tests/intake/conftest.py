@@ -6,7 +6,7 @@ import re
 
 import pytest
 
-from autograder.cli import grading_run
+from autograder.cli import choose_run, grading_run
 from autograder.course import Course
 from autograder.grading.graded_submission import Graded
 from autograder.grading.spread import Task
@@ -66,4 +66,4 @@ def course(tmp_path_factory: pytest.TempPathFactory) -> Course:
 def nothing_runs(monkeypatch: pytest.MonkeyPatch) -> None:
     """Let `grade` read what was handed in instead of running it."""
     monkeypatch.setattr(grading_run, "Threads", Reader)
-    monkeypatch.setattr(grading_run, "isolation_text", lambda *_: "nothing was run")
+    monkeypatch.setattr(choose_run, "isolation_text", lambda *_: "nothing was run")

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import re
 
-from autograder.reports.class_html import _BANDS
 from autograder.reports.color_patterns import definitions, fill_of
 from autograder.reports.markdown import isolated
+from autograder.reports.questions_html import _BANDS
 from autograder.reports.svg_charts import Chart, swatch
 
 

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from autograder.gradebook import Gradebook
-from autograder.gradebook.record import names_of
+from autograder.gradebook.student_names import names_of
 from autograder.reports.class_summary import MOST_NAMED, gather
 from autograder.reports.write import Options, write_reports
 from tests.classroom import all_marks, fill, graded, make_course
@@ -106,7 +106,7 @@ def test_a_page_of_a_large_class_names_some_and_counts_all(course, tmp_path):
 def test_names_that_are_gathered_tell_students_apart(tmp_path):
     from dataclasses import replace
 
-    from autograder.gradebook.record import Names
+    from autograder.gradebook.student_names import Names
     from autograder.intake.origin import Claim, Origin
 
     def called(key: str, name: str):

@@ -11,7 +11,8 @@ from rich.console import Console
 from autograder.course import Course
 from autograder.gradebook import Note, Override, Record
 from autograder.gradebook.changes import Change, changes_of
-from autograder.reports.terminal import print_changes, print_record, print_table, warn
+from autograder.reports.terminal import print_changes, print_table, warn
+from autograder.reports.terminal_student import print_record
 from tests.classroom import all_marks, graded, hostile_mark, make_course, mark
 
 HOSTILE = "\x1b[2J\x1b]0;owned\x07[bold]\x9b31m\u202e\ud800\r\nadmin: all right"

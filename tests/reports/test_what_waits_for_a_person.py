@@ -16,7 +16,8 @@ from autograder.intake.class_list import ClassList
 from autograder.intake.person import Person
 from autograder.reports.class_html import class_html
 from autograder.reports.exports import write_moodle
-from autograder.reports.statistics import question_statistics, who_needs_help
+from autograder.reports.question_statistics import question_statistics
+from autograder.reports.who_needs_help import who_needs_help
 from tests.classroom import all_marks, fill, graded, mark
 from tests.cli.test_marking_by_hand import with_text
 

@@ -8,9 +8,9 @@ import threading
 import pytest
 from attacks import LIMITS
 
-from autograder.sandbox import tiers
-from autograder.sandbox.host import limits
+from autograder.sandbox import attempts_to_get_out, tiers
 from autograder.sandbox.lockdown import Limits
+from autograder.sandbox.notebook_limits import limits
 from autograder.sandbox.processes import tasks_of
 
 THREADS = 100  # more than LIMITS allows
@@ -66,7 +66,7 @@ def test_what_else_the_instructor_runs_takes_no_process_away(lab):
 
 @pytest.mark.skipif(os.geteuid() != 0, reason="only a user of its own has no more processes")
 def test_isolation_in_which_nothing_can_be_forked_does_not_pass_its_trial(course, monkeypatch):
-    monkeypatch.setattr(tiers, "_TRIAL_PROCESSES", 0)
+    monkeypatch.setattr(attempts_to_get_out, "_TRIAL_PROCESSES", 0)
     tier = tiers.Tier("reduced", False, course)
     assert not tier.try_out()
     assert "a process can be forked" in tier.problem

@@ -12,8 +12,9 @@ from pathlib import Path
 import pytest
 
 from autograder.errors import MachineError
-from autograder.sandbox.host import Host, limits
+from autograder.sandbox.host import Host
 from autograder.sandbox.launcher import Sandbox
+from autograder.sandbox.notebook_limits import limits
 from tests.classroom import hand_in, make_course
 
 LOW = {

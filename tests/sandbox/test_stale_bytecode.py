@@ -9,7 +9,7 @@ from importlib.util import MAGIC_NUMBER, cache_from_source
 
 import pytest
 
-from autograder.sandbox import host, stale_bytecode
+from autograder.sandbox import compiled_libraries, stale_bytecode
 
 
 @pytest.fixture
@@ -65,13 +65,13 @@ def test_a_damaged_compiled_module_is_noticed(library, content):
 
 def test_what_is_stale_is_compiled_once_before_the_first_sandbox(library, monkeypatch):
     started = []
-    monkeypatch.setattr(host.subprocess, "run", lambda *a, **k: started.append(a[0]))
-    monkeypatch.setattr(host, "font_folder", lambda: library)
-    monkeypatch.setattr(host, "stale_modules", lambda: iter([library]))
-    host.compile_libraries()
+    monkeypatch.setattr(compiled_libraries.subprocess, "run", lambda *a, **k: started.append(a[0]))
+    monkeypatch.setattr(compiled_libraries, "font_folder", lambda: library)
+    monkeypatch.setattr(compiled_libraries, "stale_modules", lambda: iter([library]))
+    compiled_libraries.compile_libraries()
     assert started[0][-1] == "autograder.sandbox.inside.warm_imports"
-    monkeypatch.setattr(host, "stale_modules", lambda: iter([]))
-    host.compile_libraries()
+    monkeypatch.setattr(compiled_libraries, "stale_modules", lambda: iter([]))
+    compiled_libraries.compile_libraries()
     assert len(started) == 1
 
 
@@ -86,12 +86,12 @@ def test_a_folder_that_cannot_be_written_is_not_tried_again_and_again(library, m
 def test_compiling_the_libraries_comes_to_its_end(monkeypatch):
     """A failure would be seen nowhere: the next run would only be slow again."""
     ended = []
-    run = host.subprocess.run
+    run = compiled_libraries.subprocess.run
 
     def watched(*arguments, **options):
         ended.append(run(*arguments, **options).returncode)
 
-    monkeypatch.setattr(host.subprocess, "run", watched)
-    monkeypatch.setattr(host, "stale_modules", lambda: iter(["sympy"]))
-    host.compile_libraries()
+    monkeypatch.setattr(compiled_libraries.subprocess, "run", watched)
+    monkeypatch.setattr(compiled_libraries, "stale_modules", lambda: iter(["sympy"]))
+    compiled_libraries.compile_libraries()
     assert ended == [0]

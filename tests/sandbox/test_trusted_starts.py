@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from autograder.sandbox import host
+from autograder.sandbox import compiled_libraries, host
 
 MARK = "from pathlib import Path\nPath({!r}).touch()\n"
 
@@ -32,7 +32,7 @@ def test_compiling_the_libraries_imports_nothing_from_the_current_folder(
     fonts = tmp_path / "fonts"
     monkeypatch.setenv("MPLCONFIGDIR", str(fonts))  # no fonts yet, so that it has work to do
     monkeypatch.setenv("PYTHONPATH", "")
-    host.compile_libraries()
+    compiled_libraries.compile_libraries()
     assert list(fonts.glob("fontlist-*.json"))  # it did run
     assert not trapped.exists()
 

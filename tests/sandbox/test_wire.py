@@ -14,7 +14,8 @@ from hypothesis.extra import numpy as hnp
 from autograder.exchange import wire
 from autograder.exchange.replies import NOT_PLAIN, clean_evaluation, clean_report, clean_text
 from autograder.exchange.wire import HEADER, WireError, encode, read_message
-from autograder.sandbox.session import _carries, _stop_by
+from autograder.sandbox.session import _carries
+from autograder.sandbox.stop_errors import stop_by
 
 
 def read(data: bytes, **caps: int):
@@ -130,7 +131,7 @@ def test_whatever_a_message_says_the_rest_of_the_grader_gets_clean_data(value):
     assert reply["state"] in ("given", "raised", "unusable", "not attempted")
     assert isinstance(reply.get("reason", ""), str)
     assert isinstance(reply.get("error", ""), str)
-    assert _stop_by(value).status in ("timeout", "killed")
+    assert stop_by(value).status in ("timeout", "killed")
     assert not _carries(value, "nonce of the question")
 
 
@@ -143,7 +144,7 @@ def test_what_takes_the_place_of_a_text_is_as_good_as_nothing(odd):
     assert clean_report({"errors": [odd]}, 1)["errors"] == ["Exception"]
     assert clean_report({"understood": {"k": odd}}, 0)["understood"] == {"k": ""}
     assert clean_report({"responses": {"Q1": 1j, "Q2": [np.arange(2)]}}, 0)["responses"] == {}
-    assert _stop_by(odd).status == "killed"
+    assert stop_by(odd).status == "killed"
     assert not _carries({"nonce": odd}, "given")
 
 

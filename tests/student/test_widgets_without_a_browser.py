@@ -249,10 +249,10 @@ def test_without_a_key_there_is_nothing_to_check_and_answers_are_kept(bundle: Pa
 
 
 def test_the_panel_lists_what_is_open_and_packs_again(own_orchard: Path, sent):
-    from autograder.student.api import _pack
+    from autograder.student.submit import pack_and_say
 
     desk = Desk(load_course())
-    panel = SubmissionWidget(desk, _pack(desk, None), lambda: _pack(desk, None))
+    panel = SubmissionWidget(desk, pack_and_say(desk, None), lambda: pack_and_say(desk, None))
     questions = panel.state["chapters"][0]["questions"]
     assert [entry["answered"] for entry in questions] == [False] * 5
     assert panel.state["path"] == str(own_orchard / "notebooks/submission.zip")

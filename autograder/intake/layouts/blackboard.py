@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import re
 
-from autograder.intake.archive import shown
 from autograder.intake.download_names import SystemName, blackboard_name
 from autograder.intake.file_or_zip import Place
 from autograder.intake.layouts.layout import (
@@ -20,6 +19,7 @@ from autograder.intake.layouts.layout import (
     pieces_of,
     side_entry,
 )
+from autograder.intake.names_in_sentences import shown
 from autograder.intake.notebook_reader import Unreadable
 from autograder.intake.origin import LAYOUT, Claim, Origin
 

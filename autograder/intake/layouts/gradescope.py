@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from datetime import UTC, datetime
 
-from autograder.intake.archive import shown
 from autograder.intake.file_or_zip import Place
 from autograder.intake.layouts.layout import Context, Entry, Found, side_entry
+from autograder.intake.names_in_sentences import shown
 from autograder.intake.notebook_reader import Unreadable
 from autograder.intake.origin import LAYOUT, Claim, Origin
 

@@ -8,11 +8,11 @@ from datetime import UTC, datetime, tzinfo
 from typing import Protocol
 
 from autograder.course import Settings
-from autograder.intake.archive import shown
 from autograder.intake.autograder_files import SIDE, is_side_file
 from autograder.intake.file_or_zip import Place, is_notebook_name, is_system, is_zip
 from autograder.intake.handout import Handout
 from autograder.intake.long_list import LongList
+from autograder.intake.names_in_sentences import shown
 from autograder.intake.origin import Origin, Piece
 from autograder.intake.person import Person
 

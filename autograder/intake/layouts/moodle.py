@@ -11,7 +11,7 @@ from __future__ import annotations
 from autograder.intake.download_names import SystemName, moodle_name
 from autograder.intake.file_or_zip import Place
 from autograder.intake.layouts.layout import Context, Entry, Found, fit_most, pieces_of, side_entry
-from autograder.intake.match_people import is_anonymous
+from autograder.intake.name_spellings import is_anonymous
 from autograder.intake.origin import Origin
 
 

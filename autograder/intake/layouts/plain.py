@@ -20,7 +20,6 @@ from enum import Enum
 from pathlib import PurePath
 
 from autograder.errors import UsageError
-from autograder.intake.archive import shown
 from autograder.intake.autograder_files import OWN, SIDE, is_reports, is_side_file
 from autograder.intake.file_or_zip import (
     Place,
@@ -30,6 +29,7 @@ from autograder.intake.file_or_zip import (
     is_zip,
 )
 from autograder.intake.layouts.layout import Context, Entry, Found, visible
+from autograder.intake.names_in_sentences import shown
 from autograder.intake.notebook_reader import Unreadable, read_notebook
 from autograder.intake.origin import Claim, Origin
 from autograder.intake.submissions import student_name

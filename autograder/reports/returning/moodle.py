@@ -14,7 +14,8 @@ from collections.abc import Sequence
 
 from autograder.gradebook.record import Record
 from autograder.intake.download_names import claim_of
-from autograder.intake.match_people import groups_of, plain_name
+from autograder.intake.find_person import groups_of
+from autograder.intake.name_spellings import plain_name
 from autograder.reports.returning.parcel import Left, Page, Parcel
 
 FILE = "feedback.html"

@@ -5,7 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from autograder.gradebook.record import Record, names_of
+from autograder.gradebook.record import Record
+from autograder.gradebook.student_names import names_of
 from autograder.reports.returning.parcel import Page, Parcel
 from autograder.reports.whole_files import file_name
 

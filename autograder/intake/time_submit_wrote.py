@@ -10,7 +10,7 @@ from autograder.intake.archive import Archive, archive_from_bytes
 from autograder.intake.file_or_zip import Place, is_zip, place_of
 from autograder.intake.notebook_reader import SUBMITTED, Unreadable
 from autograder.intake.origin import Piece
-from autograder.intake.submission_times import read_time
+from autograder.intake.time_spellings import read_time
 
 _LARGEST = 256 * 2**20
 _MOST_FILES = Settings().submission_files
