@@ -45,7 +45,7 @@ def _counted(name: str) -> Callable[..., object]:
         finally:
             self._depth -= 1
         # `shuffle` returns nothing and changes its argument.
-        given = numbers if numbers is not None else args[0] if args else kwargs.get("x")
+        given = numbers if numbers is not None else args[0] if args else kwargs["x"]
         # Slow functions of NumPy only where they are needed: samples are drawn by the ten thousand.
         self.drawn = before + (given.size if isinstance(given, np.ndarray) else np.size(given))
         if not self._depth:
