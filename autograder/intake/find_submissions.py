@@ -14,14 +14,8 @@ from pathlib import Path
 from autograder.course import Settings
 from autograder.errors import UsageError
 from autograder.intake.autograder_files import OWN, is_reports, without_own_files
-from autograder.intake.file_or_zip import (
-    DiskPlace,
-    Group,
-    Place,
-    as_folder_if_readable,
-    is_notebook_name,
-    is_zip,
-)
+from autograder.intake.file_kinds import is_notebook_name
+from autograder.intake.file_or_zip import DiskPlace, Group, Place, as_folder_if_readable, is_zip
 from autograder.intake.layouts import LAYOUTS, plain
 from autograder.intake.layouts.layout import Context, Entry, Found, PassedOver, visible
 from autograder.intake.layouts.plain import Verdict

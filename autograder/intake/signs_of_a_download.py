@@ -5,11 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from autograder.errors import UsageError
-from autograder.intake.file_or_zip import (
-    Place,
-    is_notebook_name,
-    is_zip,
-)
+from autograder.intake.file_kinds import is_notebook_name
+from autograder.intake.file_or_zip import Place, is_zip
 from autograder.intake.layouts import LAYOUTS, plain
 from autograder.intake.layouts.layout import Context, visible
 from autograder.intake.layouts.plain import Verdict

@@ -21,13 +21,8 @@ from pathlib import PurePath
 
 from autograder.errors import UsageError
 from autograder.intake.autograder_files import OWN, SIDE, is_reports, is_side_file
-from autograder.intake.file_or_zip import (
-    Place,
-    as_folder_if_readable,
-    is_notebook_name,
-    is_system,
-    is_zip,
-)
+from autograder.intake.file_kinds import is_notebook_name, is_system
+from autograder.intake.file_or_zip import Place, as_folder_if_readable, is_zip
 from autograder.intake.layouts.layout import Context, Entry, Found, visible
 from autograder.intake.names_in_sentences import shown
 from autograder.intake.notebook_reader import Unreadable, read_notebook
