@@ -82,7 +82,8 @@ def test_no_translation_is_left_of_a_sentence_that_is_gone(path: Path):
 
 # Where a sentence may reach a student, and the modules there that speak to authors only.
 ROOMS = ("student", "questions", "kinds", "marking", "diagnosis", "grading/chapter.py",
-         "grading/own_exceptions.py", "exchange/why_unusable.py", "gradebook/grading_scheme.py",
+         "grading/visible_example.py", "grading/own_exceptions.py", "exchange/why_unusable.py",
+         "gradebook/grading_scheme.py",
          "sandbox/stop_errors.py", "reports/feedback_html.py", "course/predictions.py",
          "grading/numbers_of_others.py", "intake/notebook_reader.py", "intake/archive.py",
          "intake/read_files.py", "intake/wanted_files.py")  # fmt: skip
