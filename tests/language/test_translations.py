@@ -91,7 +91,7 @@ OF_AUTHORS = {"answer.py", "question.py", "trial.py", "raises_promises.py", "sen
               "stub.py", "expected.py", "strict_reader.py", "toml_lines.py", "author_tables.py",
               "registry.py", "key_formulas.py", "variables.py", "exercise.py", "draw.py",
               "marker.py", "marker_process.py", "take_snapshot.py",
-              "reference_failures.py"}  # fmt: skip
+              "reference_failures.py", "nearest_name.py"}  # fmt: skip
 TO_AUTHORS = {"CourseError", "FieldError", "ValueError", "problems", "unsound", "poor_draw",
               "poor_value", "too_few_mistakes", "check_answer", "other_mistakes"}  # fmt: skip
 
