@@ -42,11 +42,12 @@ from autograder.intake.class_list_tables import (
     WrittenStudent,
     parse_toml,
 )
+from autograder.intake.join_people import join_people
 from autograder.intake.lateness import LatePolicy
 from autograder.intake.match_people import Match, match_all
 from autograder.intake.origin import Origin, as_utc_text
 from autograder.intake.person import Person
-from autograder.intake.roster_exports import join_people, read_people
+from autograder.intake.roster_exports import read_people
 from autograder.intake.spreadsheets import read_text
 from autograder.intake.students_toml import read_settled
 from autograder.questions import toml_lines
