@@ -13,6 +13,10 @@ import pytest
 # each of them compile anew what it imports.
 os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
 sys.dont_write_bytecode = False
+# Threads of NumPy's libraries would fight the other workers for the processors: a notebook that
+# takes five seconds took a minute. All processes that are started here inherit this.
+for name in ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS"):
+    os.environ.setdefault(name, "1")
 
 
 @pytest.fixture(scope="session", autouse=True)

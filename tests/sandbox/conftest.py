@@ -7,6 +7,7 @@ from attacks import LIMITS, PATIENT, SECRET, Lab, check_good
 
 from autograder.course import Course
 from autograder.sandbox.launcher import Sandbox, SandboxError, Session
+from autograder.sandbox.tiers import best_tier
 from tests.toy import make_toy
 
 
@@ -31,14 +32,32 @@ def course(tmp_path_factory: pytest.TempPathFactory) -> Course:
     return Course(root, (), LIMITS)
 
 
-@pytest.fixture(scope="session", params=["bubblewrap", "reduced"])
-def sandbox(request: pytest.FixtureRequest, course: Course) -> Iterator[Sandbox]:
+@pytest.fixture(scope="session")
+def started(course: Course) -> Iterator[dict[str, Sandbox]]:
+    """The sandboxes that tests have asked for, by their isolation; none is started twice."""
+    sandboxes: dict[str, Sandbox] = {}
+    yield sandboxes
+    for sandbox in sandboxes.values():
+        sandbox.stop()
+
+
+def start(started: dict[str, Sandbox], course: Course, isolation: str) -> Sandbox:
+    if isolation not in started:
+        started[isolation] = Sandbox(course, isolation=isolation, seed=1).__enter__()
+    return started[isolation]
+
+
+@pytest.fixture(params=["bubblewrap", "reduced"])
+def sandbox(request: pytest.FixtureRequest, course: Course, started: dict[str, Sandbox]) -> Sandbox:
+    """Each kind of isolation in turn.
+
+    The fixture itself is of one test, so that pytest has nothing to end between one kind and the
+    other: with one for all tests, each file would start both anew.
+    """
     try:
-        started = Sandbox(course, isolation=request.param, seed=1).__enter__()
+        return start(started, course, request.param)
     except SandboxError as error:
         pytest.skip(f"{request.param} does not work on this machine: {error}")
-    yield started
-    started.stop()
 
 
 @pytest.fixture(autouse=True)
@@ -58,11 +77,10 @@ def patient_session(sandbox: Sandbox) -> Iterator[Session]:
         yield session
 
 
-@pytest.fixture(scope="session")
-def best_sandbox(course: Course) -> Iterator[Sandbox]:
+@pytest.fixture
+def best_sandbox(course: Course, started: dict[str, Sandbox]) -> Sandbox:
     """For what does not depend on the kind of isolation."""
-    with Sandbox(course, seed=1) as sandbox:
-        yield sandbox
+    return start(started, course, best_tier(course).name)
 
 
 @pytest.fixture

@@ -1,7 +1,6 @@
 """Attempts to forge an answer or a mark."""
 
 import math
-import time
 
 import numpy as np
 import pytest
@@ -142,10 +141,8 @@ def test_an_endless_stream_of_stray_answers_is_cut_off(session):
 )
 def test_a_few_long_stray_answers_are_enough(session, message):
     code = f"{FIND_THE_CHANNEL}for _ in range(3): os.write(channel, frame({message}))"
-    began = time.monotonic()
     assert session.run(["k = 5", code], ["k"])["errors"] == [None, "killed"]
     assert session.evaluate("k", NUMBER) == {"state": "given", "value": 5}
-    assert time.monotonic() - began < 30
 
 
 def test_more_notices_than_cells_are_strays(session):
@@ -171,12 +168,10 @@ def test_a_thread_that_reads_the_questions_away_costs_only_its_own_time(session)
         "k = 5"
     )
     session.run([code], [])
-    start = time.monotonic()
     try:
         session.evaluate("k", NUMBER)
     except Stopped as stopped:
         assert stopped.status in ("timeout", "killed")  # noqa: PT017 -- either way the race ends
-    assert time.monotonic() - start < 30
 
 
 TOO_LARGE = {"state": "unusable", "reason": "too large"}

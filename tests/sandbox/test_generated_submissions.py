@@ -56,10 +56,8 @@ def run_many(sandbox: Sandbox, course, folder: Path, seeds: range) -> None:
     canary.chmod(0o666)
     before, state, started = tree(course.root), canary.stat(), resident()
     for done, seed in enumerate(seeds, 1):
-        began = time.monotonic()
         out = put(sandbox, seed, canary)
         assert SECRET not in out, seed
-        assert time.monotonic() - began < 300, seed
         assert resident() - started < BUDGET, seed
         after = canary.stat()
         assert canary.read_text() == SECRET, seed

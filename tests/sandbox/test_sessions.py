@@ -167,11 +167,10 @@ def test_after_the_submissions_time_nothing_is_begun_any_more(sandbox):
 
 def test_restarts_do_not_give_a_submission_more_time(sandbox):
     """Each cell ends its process, and before the first of them each run takes a while."""
-    began = time.monotonic()
     cells = ["import os, time\ntime.sleep(0.9)", *["os._exit(0)"] * 60]
-    with sandbox.session(began + 1.2) as session, contextlib.suppress(Stopped):
+    with sandbox.session(time.monotonic() + 1.2) as session, contextlib.suppress(Stopped):
         session.run(cells, [])
-    assert time.monotonic() - began < 30  # of 54 s, if each restart had its own time
+    assert session._restarts_left > 0  # with time of its own for each, all would be used up
 
 
 def test_cells_after_the_notebooks_time_are_not_run(sandbox):
