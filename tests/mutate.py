@@ -118,13 +118,22 @@ def mutants(path: Path, module: Any) -> Iterator[tuple[FunctionType, Mutant, Fun
             continue
         node.decorator_list = []
         for mutant, changed in edited(node):
-            whole = compile(
-                ast.Module([changed], []), str(path), "exec", flags=_FUTURE, dont_inherit=True
-            )
-            made = dict(vars(module))
-            exec(whole, made)
-            if made[node.name].__code__.co_freevars == function.__code__.co_freevars:
-                yield function, mutant, made[node.name]
+            other = _defined(changed, owner, path, module)
+            if other.__code__.co_freevars == function.__code__.co_freevars:
+                yield function, mutant, other
+
+
+def _defined(node: ast.FunctionDef, owner: str, path: Path, module: Any) -> FunctionType:
+    """A function as its module would define it; a method in a class, so that it knows `super`."""
+    body: list[ast.stmt] = [node]
+    if owner:
+        body = ast.parse(f"class {owner}: pass").body
+        body[0].body = [node]  # type: ignore[attr-defined]
+    names = dict(vars(module))
+    whole = ast.fix_missing_locations(ast.Module(body, []))
+    exec(compile(whole, str(path), "exec", flags=_FUTURE, dont_inherit=True), names)
+    found: FunctionType = vars(names[owner])[node.name] if owner else names[node.name]
+    return found
 
 
 def _functions(tree: ast.Module) -> Iterator[tuple[str, ast.FunctionDef]]:
@@ -144,13 +153,13 @@ def _object(module: Any, owner: str, name: str) -> FunctionType | None:
 
 
 def made_of_functions(path: Path) -> CodeType:
-    """The module's assignments in which its functions are used, such as a table of them."""
+    """The module's assignments and loops in which its functions are used, such as a table."""
     tree = ast.parse(path.read_text(encoding="utf-8"))
     names = {node.name for node in tree.body if isinstance(node, ast.FunctionDef)}
     tree.body = [
         node
         for node in tree.body
-        if isinstance(node, ast.Assign | ast.AnnAssign)
+        if isinstance(node, ast.Assign | ast.AnnAssign | ast.For)
         and any(isinstance(inner, ast.Name) and inner.id in names for inner in ast.walk(node))
     ]
     return compile(tree, str(path), "exec", flags=_FUTURE, dont_inherit=True)

@@ -71,6 +71,23 @@ def test_counted_draws_are_those_of_the_usual_generator():
     assert counted.drawn == 2 + 1 + 6 + 4
     counted.shuffle([1, 2, 3])
     assert counted.drawn == 16
+    counted.shuffle(np.zeros((3, 2)), 1)
+    assert counted.drawn == 22
+    counted.shuffle(x=[1, 2])
+    assert counted.drawn == 24
+
+
+def test_every_way_to_ask_for_numbers_is_open():
+    counted, usual = CountedDraws(3), np.random.default_rng(3)
+    for draw in (
+        lambda rng: rng.random(),
+        lambda rng: rng.random(size=3),
+        lambda rng: rng.choice(a=9, size=2, replace=False),
+        lambda rng: rng.choice(size=2, a=9),
+        lambda rng: rng.integers(high=9, low=0, size=2),
+    ):
+        np.testing.assert_array_equal(draw(counted), draw(usual))
+    assert (counted.choice.__name__, counted.choice.__doc__) == ("choice", usual.choice.__doc__)
 
 
 @pytest.mark.parametrize(
@@ -78,6 +95,7 @@ def test_counted_draws_are_those_of_the_usual_generator():
     [
         (lambda rng: rng.choice(9, size=2, replace=False), (2, 4)),
         (lambda rng: rng.choice(np.zeros((9, 2)), (2,), False, shuffle=False), (2, 4)),
+        (lambda rng: rng.choice(a=9, size=2, replace=False), (2, 4)),
         (lambda rng: rng.choice(9, 3, replace=False, p=np.full(9, 1 / 9)), (3, 4)),
         (lambda rng: rng.choice(9, size=2), None),  # the two may be equal
         (lambda rng: rng.choice(9, replace=False), None),

@@ -45,7 +45,7 @@ def _counted(name: str) -> Callable[..., object]:
         finally:
             self._depth -= 1
         # `shuffle` returns nothing and changes its argument.
-        given = args[0] if numbers is None and args else numbers
+        given = numbers if numbers is not None else args[0] if args else kwargs["x"]
         # Slow functions of NumPy only where they are needed: samples are drawn by the ten thousand.
         self.drawn = before + (given.size if isinstance(given, np.ndarray) else np.size(given))
         if not self._depth:
@@ -57,7 +57,7 @@ def _counted(name: str) -> Callable[..., object]:
 
 
 def _size_of_sample(
-    _: Value, size: Value = None, replace: bool = True, *__: Value, **___: Value
+    a: Value, size: Value = None, replace: bool = True, *_: Value, **__: Value
 ) -> int:
     """How many different entries one call of ``choice`` gives; 0 if they may be equal."""
     if replace or size is None:
