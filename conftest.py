@@ -80,7 +80,7 @@ _LONG = (
     "tests/sandbox/test_hostile_classes.py",
     "tests/sandbox/test_own_time.py",
     "tests/sandbox/test_sessions.py",
-    "tests/sandbox/test_machine_limits.py",
+    "tests/sandbox/test_machine_allows.py",
     "tests/sandbox/test_attacks_hanging_and_dying.py",
     "solutions/notebooks/1_place_recognition.ipynb",
     "tests/browser/test_second_course.py",

@@ -7,7 +7,7 @@ import cv2
 import numpy as np
 
 from benchmarks.scenes import BEAMS, NO_ECHO, Scene
-from benchmarks.scoring import rates
+from benchmarks.true_and_false_walls import rates
 
 
 @dataclass(frozen=True)

@@ -9,8 +9,8 @@ import data
 from benchmarks.hough import Hough, tuned_hough
 from benchmarks.report import OURS, Curve, Row, Section
 from benchmarks.scenes import BEAMS, hard_scenes
-from benchmarks.scoring import rates
 from benchmarks.timing import measure
+from benchmarks.true_and_false_walls import rates
 from solutions.lines.line_extraction import (
     Segment,
     Settings,

@@ -19,7 +19,8 @@ from nbclient import NotebookClient
 
 from autograder.authoring.assemble_notebook import START_ID
 from autograder.authoring.executed_notebooks import surroundings
-from autograder.authoring.masters import Master, read_masters
+from autograder.authoring.master import Master
+from autograder.authoring.masters import read_masters
 from autograder.cli import parser
 from autograder.course import Course, load_course
 from autograder.course.folders import NOTEBOOKS

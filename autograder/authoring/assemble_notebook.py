@@ -10,7 +10,7 @@ from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
 
 from autograder import __all__
 from autograder.authoring.line_in_key import with_line
-from autograder.authoring.masters import Master, MasterCell
+from autograder.authoring.master import Master, MasterCell
 from autograder.course import DEMO, Course
 from autograder.course.folders import cell_id
 from autograder.errors import CourseError

@@ -18,7 +18,8 @@ from autograder.course.placeholders import KEPT
 from autograder.course.questions import Written
 from autograder.course.selections import FIELD
 from autograder.questions.key_formulas import CONSTANTS, FUNCTIONS
-from autograder.questions.strict_reader import Place, nearest
+from autograder.questions.nearest_name import nearest
+from autograder.questions.strict_reader import Place
 from autograder.questions.toml_lines import Path
 
 _MATH = re.compile(r"\$\$.*?\$\$|\$[^$]{0,400}\$", re.DOTALL)

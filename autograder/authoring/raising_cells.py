@@ -7,7 +7,7 @@ import tomllib
 from typing import Any
 
 from autograder.authoring.bundle_pyproject import distribution
-from autograder.authoring.masters import Master
+from autograder.authoring.master import Master
 from autograder.course.own_code import OWN
 
 # As one IPython after the other has said it; the oldest marks the line by an arrow.

@@ -12,7 +12,7 @@ from nbclient import NotebookClient
 from nbclient.exceptions import CellExecutionError
 
 from autograder.authoring.assemble_notebook import KERNEL
-from autograder.authoring.masters import Master
+from autograder.authoring.master import Master
 from autograder.authoring.raising_cells import raised
 from autograder.course import Course
 from autograder.course.folders import SOLVED, cell_id

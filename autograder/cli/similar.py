@@ -25,7 +25,8 @@ from autograder.course.folders import SOLUTIONS, SOLVED, student_notebooks
 from autograder.language import _, n_
 
 if TYPE_CHECKING:
-    from autograder.reports.similarity import Code, Pair
+    from autograder.reports.code_fingerprints import Code
+    from autograder.reports.similarity import Pair
 
 
 def add(commands: Commands) -> None:
@@ -60,7 +61,8 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
     from autograder.gradebook.view import with_people
     from autograder.intake.find_submissions import find_submissions
     from autograder.intake.submissions import Unreadable, read_submission
-    from autograder.reports.similarity import fingerprints, handout_cells, similar_pairs
+    from autograder.reports.code_fingerprints import fingerprints
+    from autograder.reports.similarity import handout_cells, similar_pairs
     from autograder.reports.terminal import printable, progress_bar
     from autograder.reports.whole_files import write_csv
 
@@ -146,7 +148,8 @@ def _sentence(pair: Pair, names: Mapping[str, str]) -> str:
 
 def _public(root: Path) -> dict[str, Code]:
     """What anybody can read who finds the repository: the solved notebooks and the references."""
-    from autograder.reports.similarity import fingerprints, handout_cells
+    from autograder.reports.code_fingerprints import fingerprints
+    from autograder.reports.similarity import handout_cells
 
     solved = [
         json.loads(path.read_text(encoding="utf-8"))

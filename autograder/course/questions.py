@@ -10,9 +10,10 @@ from dataclasses import dataclass, replace
 
 from autograder.course.placeholders import NotFilled, fill
 from autograder.course.selections import DRAW, FIELD, drawn, read_draws
+from autograder.questions.nearest_name import meant, nearest
 from autograder.questions.question import Question
 from autograder.questions.registry import has_kind, kind_named, kind_names
-from autograder.questions.strict_reader import Place, Table, meant, nearest, read_table
+from autograder.questions.strict_reader import Place, Table, read_table
 from autograder.questions.variables import Variables, read_variables
 
 __all__ = ["Question", "Written", "question_from_table"]

@@ -20,8 +20,9 @@ from autograder.course.toml_file import read_toml
 from autograder.course.used_twice import reject_what_is_used_twice
 from autograder.errors import CourseError
 from autograder.language import use
+from autograder.questions.nearest_name import meant
 from autograder.questions.registry import load_kind
-from autograder.questions.strict_reader import Place, Table, meant, read_table
+from autograder.questions.strict_reader import Place, Table, read_table
 from autograder.questions.variables import Variables, read_variables
 
 _FIELDS = ("title", "question", "story", "prediction")  # of a file of questions

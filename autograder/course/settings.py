@@ -11,7 +11,8 @@ from msgspec import Meta
 
 from autograder.course.toml_file import read_toml
 from autograder.questions.author_tables import FieldError, Written
-from autograder.questions.strict_reader import Place, nearest, read_table
+from autograder.questions.nearest_name import nearest
+from autograder.questions.strict_reader import Place, read_table
 
 _LARGEST = 1_000_000  # beyond all use, and within what timers and counters can take
 

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from autograder.intake.file_or_zip import Group, Place, is_notebook_name, is_zip
+from autograder.intake.file_kinds import is_notebook_name
+from autograder.intake.file_or_zip import Group, Place, is_zip
 
 OWN = "the autograder's own gradebook and reports"
 SIDE = "a side file of the autograder's"

@@ -30,21 +30,26 @@ or ``name`` it is called, or whose number or name stands where Canvas and Moodle
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from datetime import datetime, timedelta, tzinfo
 from pathlib import Path
 from zoneinfo import ZoneInfo, ZoneInfoNotFoundError
 
-from autograder.errors import CourseError
-from autograder.intake.class_list_tables import WrittenClass, WrittenLate, WrittenStudent
+from autograder.intake.class_list_tables import (
+    WrittenClass,
+    WrittenLate,
+    WrittenStudent,
+    parse_toml,
+)
+from autograder.intake.join_people import join_people
 from autograder.intake.lateness import LatePolicy
 from autograder.intake.match_people import Match, match_all
 from autograder.intake.origin import Origin, as_utc_text
 from autograder.intake.person import Person
-from autograder.intake.roster_exports import join_people, read_people
+from autograder.intake.roster_exports import read_people
 from autograder.intake.spreadsheets import read_text
+from autograder.intake.students_toml import read_settled
 from autograder.questions import toml_lines
 from autograder.questions.strict_reader import Place, read_table
 
@@ -103,7 +108,7 @@ def read_class_list(path: Path) -> ClassList:
     if path.suffix.lower() != ".toml" and not text.lstrip().startswith("["):
         return ClassList(read_people(text, path, None))
     place = Place(str(path), text)
-    written = read_table(_toml(text, path), WrittenClass, place)
+    written = read_table(parse_toml(text, path), WrittenClass, place)
     zone = _zone(written.late, place)
     return ClassList(
         _students(written.student, zone, place),
@@ -141,29 +146,6 @@ def read_class_lists(paths: Sequence[Path], settled: Path | None = None) -> Clas
         canvas_id=titled.canvas_id,
         settled=read_settled(settled) if settled is not None else {},
     )
-
-
-def read_settled(path: Path) -> dict[str, str]:
-    """The lines of ``students.toml``: a submission's name and whose it is.
-
-    Raises:
-        CourseError: if it says anything else.
-    """
-    settled = {}
-    for name, value in _toml(read_text(path), path).items():
-        if not isinstance(value, str | int):
-            raise CourseError(
-                f'{path}: write each line as "the submission\'s name" = "login or e-mail".'
-            )
-        settled[name] = str(value)
-    return settled
-
-
-def _toml(text: str, path: Path) -> dict[str, object]:
-    try:
-        return tomllib.loads(text.replace("\r\n", "\n"))
-    except tomllib.TOMLDecodeError as error:
-        raise CourseError(f"{path} cannot be read: {error}.") from None
 
 
 def _policy(late: WrittenLate, zone: tzinfo | None, place: Place) -> LatePolicy:

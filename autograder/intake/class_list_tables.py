@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import tomllib
 from datetime import datetime
+from pathlib import Path
 from typing import Annotated
 
 from msgspec import Meta
 
+from autograder.errors import CourseError
 from autograder.questions.author_tables import Text, Written
 
 NotNegative = Annotated[float, Meta(ge=0)]
@@ -57,3 +60,15 @@ class WrittenClass(Written, frozen=True, kw_only=True):
     assignment: WrittenAssignment = WrittenAssignment()
     late: WrittenLate | None = None
     student: tuple[WrittenStudent, ...] = ()
+
+
+def parse_toml(text: str, path: Path) -> dict[str, object]:
+    """The tables in the text of a file.
+
+    Raises:
+        CourseError: if it is no TOML.
+    """
+    try:
+        return tomllib.loads(text.replace("\r\n", "\n"))
+    except tomllib.TOMLDecodeError as error:
+        raise CourseError(f"{path} cannot be read: {error}.") from None

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import re
 import stat
 from collections.abc import Sequence
 from datetime import UTC, datetime
@@ -15,12 +14,6 @@ from autograder.intake.archive import Archive, open_archive, open_regular
 from autograder.intake.names_in_sentences import shown
 from autograder.intake.notebook_reader import Unreadable
 from autograder.intake.origin import Piece
-
-# What operating systems and editors leave behind; nobody hands these in.
-_SYSTEM = {"__macosx", "thumbs.db", "desktop.ini", ".ds_store", ".ipynb_checkpoints", "__pycache__"}
-# 3_ransac.ipynb.json, and a second download of it: 3_ransac.ipynb (1).json.
-_NOTEBOOK = re.compile(r"\.ipynb\s?(\(\d{1,9}\))?(\.json|\.txt)?\s?(\(\d{1,9}\))?\Z", re.IGNORECASE)
-_SYSTEM_STARTS = ("._", "~$")
 
 
 class Place(Protocol):
@@ -223,16 +216,6 @@ def as_folder_if_readable(place: Place) -> Place | None:
 def is_zip(place: Place) -> bool:
     """Whether it is called a zip."""
     return not place.is_folder and place.name.lower().endswith(".zip")
-
-
-def is_notebook_name(name: str) -> bool:
-    """Whether it is called a notebook, perhaps with what browsers add to the name."""
-    return _NOTEBOOK.search(name[-80:]) is not None
-
-
-def is_system(name: str) -> bool:
-    """Whether an operating system or an editor made it."""
-    return name.lower() in _SYSTEM or name.startswith(_SYSTEM_STARTS)
 
 
 def place_of(piece: Piece) -> Place:

@@ -20,8 +20,7 @@ from autograder.intake.name_spellings import (
 )
 from autograder.intake.origin import Claim
 from autograder.intake.person import Person
-
-NOBODY = "nobody"  # in students.toml: this submission is not to be graded for anybody
+from autograder.intake.students_toml import NOBODY
 
 
 @dataclass(frozen=True)

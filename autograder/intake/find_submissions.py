@@ -1,8 +1,8 @@
 """Finds submissions: which layout a download has, and who handed in what in it.
 
 The layout is recognised by its own marks or given; what has none is read by the rule of
-`autograder.intake.layouts.plain`. A zip is looked into only where it was given itself or is the
-only thing there: what a student's zip holds can never become somebody else's submission.
+`autograder.intake.layouts.one_or_class`. A zip is looked into only where it was given itself or is
+the only thing there: what a student's zip holds can never become somebody else's submission.
 """
 
 from __future__ import annotations
@@ -14,17 +14,12 @@ from pathlib import Path
 from autograder.course import Settings
 from autograder.errors import UsageError
 from autograder.intake.autograder_files import OWN, is_reports, without_own_files
-from autograder.intake.file_or_zip import (
-    DiskPlace,
-    Group,
-    Place,
-    as_folder_if_readable,
-    is_notebook_name,
-    is_zip,
-)
+from autograder.intake.file_kinds import is_notebook_name
+from autograder.intake.file_or_zip import DiskPlace, Group, Place, as_folder_if_readable, is_zip
 from autograder.intake.layouts import LAYOUTS, plain
 from autograder.intake.layouts.layout import Context, Entry, Found, PassedOver, visible
-from autograder.intake.layouts.plain import Verdict
+from autograder.intake.layouts.one_or_class import Verdict, is_wrapped, judge, unclear
+from autograder.intake.layouts.person_or_thing import is_person
 from autograder.intake.long_list import LongList
 from autograder.intake.names_in_sentences import shown
 from autograder.intake.signs_of_a_download import (
@@ -129,7 +124,7 @@ def _find_single(place: Place, context: Context, layout: str | None) -> Found:
         return Found("plain", plain.RULE_ONE, LongList(Entry, [plain.one_entry(place)]))
     if place.is_folder:
         return _find(place, context, layout)
-    if layout is None and plain.is_person(place, context):
+    if layout is None and is_person(place, context):
         return Found("plain", plain.RULE_ONE, LongList(Entry, [plain.one_entry(place)]))
     inside = as_folder_if_readable(place)
     if inside is None:
@@ -177,9 +172,9 @@ def _look_at(
             f"{shown(folder.text())} does not look like a download of {layout}: nothing in it is "
             "named so."
         )
-    verdict = plain.judge(folder, context, is_archive)
+    verdict = judge(folder, context, is_archive)
     if verdict is Verdict.UNCLEAR:
-        raise plain.unclear(folder, context)
+        raise unclear(folder, context)
     if verdict is Verdict.CLASS or (verdict is Verdict.EMPTY and not is_archive and depth == 0):
         return plain.read_class(folder, context)
     return None
@@ -195,9 +190,9 @@ def _look_below(
     folder: Place, context: Context, layout: str | None, is_archive: bool, depth: int
 ) -> Found | None:
     """The class one folder further down, where there is nothing else; or several downloads."""
-    wrapped = plain.is_wrapped(folder)
+    wrapped = is_wrapped(folder)
     if wrapped is not None:
-        if plain.is_person(wrapped, context) and layout is None:
+        if is_person(wrapped, context) and layout is None:
             return None
         inner = is_archive or not isinstance(wrapped, DiskPlace)
         found = _look_or_none(wrapped, context, layout, inner, depth + 1)
@@ -239,7 +234,7 @@ def _look_at_several(
     places: Sequence[Place], context: Context, layout: str | None, is_archive: bool, depth: int
 ) -> Found | None:
     """Downloads that lie side by side, as one for each section of a class, read as one."""
-    if any(plain.is_person(place, context) for place in places):
+    if any(is_person(place, context) for place in places):
         return None
     several = [_look_or_none(place, context, layout, is_archive, depth + 1) for place in places]
     joined = Found()

@@ -11,11 +11,11 @@ from collections import defaultdict
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from autograder.exchange.printable import printable
 from autograder.intake.download_names import claim_of
 from autograder.intake.find_person import Fits, People
 from autograder.intake.origin import Origin
 from autograder.intake.person import Person
+from autograder.intake.students_toml import quoted
 
 
 @dataclass(frozen=True)
@@ -95,9 +95,3 @@ def _conclude(
     reason = "; ".join(dict.fromkeys(filter(None, reasons)))
     line = f"{quoted(origin.prefix or key)} = {quoted(value)}"
     return Match((), tuple(dict.fromkeys(candidates)), reason, line)
-
-
-def quoted(text: str) -> str:
-    """A TOML string."""
-    plain = printable(text, "?")
-    return '"' + plain.replace("\\", "\\\\").replace('"', '\\"') + '"'

@@ -17,7 +17,8 @@ from autograder.course import Settings
 from autograder.errors import raise_if_short
 from autograder.intake.archive import Archive, archive_from_bytes
 from autograder.intake.download_names import moodle_name, rest_of
-from autograder.intake.file_or_zip import Place, is_notebook_name, place_of
+from autograder.intake.file_kinds import is_notebook_name
+from autograder.intake.file_or_zip import Place, place_of
 from autograder.intake.names_in_sentences import shown
 from autograder.intake.notebook_reader import SUBMITTED, Unreadable
 from autograder.intake.origin import Piece

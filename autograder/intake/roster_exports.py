@@ -11,7 +11,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import fields, replace
 from datetime import tzinfo
 from pathlib import Path
 
@@ -145,54 +144,6 @@ def _as_called(name: str) -> str:
         parts[:2] = [f"{parts[0]}, {parts[1]}"]
     last, first = parts[0], ", ".join(parts[1:])
     return f"{first} {last}" if first and last else name
-
-
-def join_people(lists: Sequence[Sequence[Person]]) -> tuple[Person, ...]:
-    """The people of several lists, each once.
-
-    One are those who share an identifier, or a name that only one person has in each list.
-    """
-    joined: list[Person] = []
-    for people in lists:
-        before = list(joined)
-        for person in people:
-            place = _same(person, before, people)
-            if place is None:
-                joined.append(person)
-            else:
-                index = next(n for n, known in enumerate(joined) if known is place)
-                joined[index] = _merged(place, person)
-                before = [joined[index] if known is place else known for known in before]
-    return tuple(joined)
-
-
-def _same(person: Person, before: Sequence[Person], beside: Sequence[Person]) -> Person | None:
-    mine = {text.casefold() for text in person.identifiers()}
-    shared = [known for known in before if mine & {text.casefold() for text in known.identifiers()}]
-    if len(shared) == 1:
-        return shared[0]
-    if shared:
-        return None
-    name = plain_name(person.name)
-    alike = [known for known in before if plain_name(known.name) == name]
-    if len(alike) != 1 or sum(plain_name(other.name) == name for other in beside) != 1:
-        return None
-    (known,) = alike
-    # Two values of one kind are two people.
-    for key in ("login", "email", "id", "sis_id", "github", "number"):
-        a, b = getattr(known, key).casefold(), getattr(person, key).casefold()
-        if a and b and a != b:
-            return None
-    return known
-
-
-def _merged(first: Person, second: Person) -> Person:
-    changes = {
-        field.name: getattr(second, field.name)
-        for field in fields(Person)
-        if not getattr(first, field.name)
-    }
-    return replace(first, **changes)
 
 
 def _is_participant(cell: str) -> bool:

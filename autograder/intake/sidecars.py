@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from autograder.exchange.responses import Entry, keep_response
-from autograder.intake.file_or_zip import is_notebook_name
+from autograder.intake.file_kinds import is_notebook_name
 from autograder.intake.names_in_sentences import MOST_NAMES, shown_path
 from autograder.intake.notebook_reader import (
     Unreadable,

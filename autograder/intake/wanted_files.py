@@ -7,7 +7,7 @@ from datetime import datetime
 from pathlib import PurePosixPath
 
 from autograder.course import Settings
-from autograder.intake.file_or_zip import is_notebook_name
+from autograder.intake.file_kinds import is_notebook_name
 from autograder.intake.names_in_sentences import shown
 from autograder.intake.notebook_reader import Unreadable
 from autograder.language import _

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from pathlib import PurePosixPath
 
-from autograder.intake.file_or_zip import is_notebook_name
+from autograder.intake.file_kinds import is_notebook_name
 from autograder.intake.handout import Handout, is_filled_in_by
 from autograder.intake.names_in_sentences import MOST_NAMES, shown_path
 from autograder.intake.notebook_reader import (

@@ -8,16 +8,25 @@ exchanged, a guard left out, a loop one short, an early ``break``.
 from __future__ import annotations
 
 import ast
-import copy
 import difflib
 from collections.abc import Callable, Iterator
 from itertools import chain
-from typing import TypeVar
 
 from autograder.mutants.mutant import Mutant
+from autograder.mutants.syntax_trees import (
+    Function,
+    Replace,
+    code_of,
+    copy_of,
+    first_line,
+    guards_of,
+    has_docstring,
+    line_of,
+    not_run,
+    statement_at,
+    statement_of,
+)
 
-Function = ast.FunctionDef
-Node = TypeVar("Node", bound=ast.AST)
 # What to do to a node of a copy of the tree; a new node stands in for it, None leaves it changed.
 Edit = Callable[[ast.AST], ast.AST | None]
 MoreEdits = Callable[[ast.AST], Iterator[tuple[str, Edit]]]
@@ -50,39 +59,44 @@ def edited(
     """
     original = list(ast.walk(function))
     parents = {child: node for node in original for child in ast.iter_child_nodes(node)}
-    skipped = _not_run(function)
+    skipped = not_run(function)
     if not guards:
-        skipped |= _guards(function)
+        skipped |= guards_of(function)
     seen: set[str] = {ast.dump(function)}
     for position, node in enumerate(original):
         if node in skipped:
             continue
         for operator, edit in chain(_edits(node), more(node) if more else ()):
-            tree = _copied(function)
+            tree = copy_of(function)
             _apply(tree, position, edit)
             if ast.dump(tree) in seen:
                 continue
             seen.add(ast.dump(tree))
             ast.fix_missing_locations(tree)
-            before = _first_line(_statement(node, parents))
-            changed = _statement_at(tree, position, original, parents)
-            after = _first_line(changed) if changed is not None else ""
+            before = first_line(statement_of(node, parents))
+            changed = statement_at(tree, position, original, parents)
+            after = first_line(changed) if changed is not None else ""
             name = f"{before} -> {after}" if before != after else f"{before}: {operator}"
-            yield described(prefix + name, operator, function, tree, _line(node)), tree
+            yield described(prefix + name, operator, function, tree, line_of(node)), tree
 
 
 def described(name: str, operator: str, old: Function, new: Function, line: int) -> Mutant:
     """A mutant with its diff."""
     rows = difflib.unified_diff(
-        _code(old).splitlines(), _code(new).splitlines(), n=1, lineterm="", fromfile="", tofile=""
+        code_of(old).splitlines(),
+        code_of(new).splitlines(),
+        n=1,
+        lineterm="",
+        fromfile="",
+        tofile="",
     )
     return Mutant(name, operator, "\n".join(list(rows)[2:]), line)
 
 
 def begin_with(function: Function, statement: str) -> Function:
     """The function with one statement more, before all others but the docstring."""
-    tree = _copied(function)
-    tree.body[_has_docstring(tree) : _has_docstring(tree)] = ast.parse(statement).body
+    tree = copy_of(function)
+    tree.body[has_docstring(tree) : has_docstring(tree)] = ast.parse(statement).body
     return ast.fix_missing_locations(tree)
 
 
@@ -268,111 +282,8 @@ def _as_unary(node: ast.AST) -> ast.UnaryOp:
     return node
 
 
-# -- trees ---------------------------------------------------------------------------------------
-
-
 def _apply(tree: Function, position: int, edit: Edit) -> None:
     node = list(ast.walk(tree))[position]
     new = edit(node)
     if new is not None:
-        _Replace(node, new).visit(tree)
-
-
-class _Replace(ast.NodeTransformer):
-    def __init__(self, old: ast.AST, new: ast.AST) -> None:
-        self._old, self._new = old, new
-
-    def visit(self, node: ast.AST) -> ast.AST:
-        return self._new if node is self._old else self.generic_visit(node)
-
-
-def _not_run(function: Function) -> set[ast.AST]:
-    """What a mutant leaves alone: docstrings, annotations, decorators, and what messages say."""
-    left: list[ast.AST] = [*function.decorator_list]
-    arguments = function.args
-    every = (*arguments.posonlyargs, *arguments.args, *arguments.kwonlyargs)
-    left += [entry.annotation for entry in every if entry.annotation is not None]
-    left += [function.returns] if function.returns is not None else []
-    for node in ast.walk(function):
-        if isinstance(node, ast.FunctionDef) and _has_docstring(node):
-            left.append(node.body[0])
-        if isinstance(node, ast.JoinedStr):
-            left.append(node)
-        if isinstance(node, ast.AnnAssign):
-            left.append(node.annotation)
-        if isinstance(node, ast.Raise) and isinstance(node.exc, ast.Call):
-            left += node.exc.args
-    return {inner for node in left for inner in ast.walk(node)}
-
-
-def _guards(function: Function) -> set[ast.AST]:
-    return {
-        inner
-        for node in ast.walk(function)
-        if isinstance(node, ast.If) and all(isinstance(step, ast.Raise) for step in node.body)
-        for inner in (node, *ast.walk(node.test), *(n for s in node.body for n in ast.walk(s)))
-    }
-
-
-def _has_docstring(function: Function) -> bool:
-    return ast.get_docstring(function, clean=False) is not None
-
-
-def _statement(node: ast.AST, parents: dict[ast.AST, ast.AST]) -> ast.AST:
-    while not isinstance(node, ast.stmt) and node in parents:
-        node = parents[node]
-    return node
-
-
-def _statement_at(
-    tree: Function, position: int, original: list[ast.AST], parents: dict[ast.AST, ast.AST]
-) -> ast.AST | None:
-    """What has become of the statement that held the node at a position."""
-    path: list[tuple[str, int | None]] = []
-    node = _statement(original[position], parents)
-    while node in parents:
-        parent = parents[node]
-        for field, value in ast.iter_fields(parent):
-            if value is node:
-                path.append((field, None))
-            elif isinstance(value, list) and any(entry is node for entry in value):
-                path.append((field, next(i for i, e in enumerate(value) if e is node)))
-        node = parent
-    found: ast.AST = tree
-    for field, place in reversed(path):
-        value = getattr(found, field)
-        found = value if place is None else value[place]
-    return found
-
-
-def _first_line(node: ast.AST) -> str:
-    return ast.unparse(node).partition("\n")[0].rstrip(":")
-
-
-def _line(node: ast.AST) -> int:
-    return getattr(node, "lineno", 0)
-
-
-def _code(function: Function) -> str:
-    bare = copy.copy(function)
-    if _has_docstring(bare) and len(bare.body) > 1:
-        bare.body = bare.body[1:]
-    return ast.unparse(bare)
-
-
-def _copied(node: Node) -> Node:
-    """A copy of a tree, made in a fraction of the time that `copy.deepcopy` takes.
-
-    Nodes that hold nothing, such as operators, are not copied: there is nothing in them to change.
-    """
-    held = vars(node)
-    if not held:
-        return node
-    copied = copy.copy(node)
-    for name, value in held.items():
-        if isinstance(value, ast.AST):
-            setattr(copied, name, _copied(value))
-        elif isinstance(value, list):
-            entries = [_copied(entry) if isinstance(entry, ast.AST) else entry for entry in value]
-            setattr(copied, name, entries)
-    return copied
+        Replace(node, new).visit(tree)

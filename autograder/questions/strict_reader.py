@@ -6,9 +6,8 @@ msgspec finds what is wrong; here it becomes one sentence with the file, the lin
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from difflib import get_close_matches
 from math import isfinite
 from typing import Any, TypeVar
 
@@ -24,6 +23,7 @@ from autograder.questions.author_tables import (
     Written,
     check_python_name,
 )
+from autograder.questions.nearest_name import meant
 
 Table = dict[str, Any]  # of TOML, before this reader has seen it
 
@@ -38,7 +38,6 @@ _WORDS = {
     "object": "a table",
     "datetime": "a date and time such as 2026-11-20T23:59:00",
 }
-_ALIKE = 0.75  # how alike two names must be for one to be meant by the other: not points and hints
 _AT = re.compile(r"^(?P<problem>.*?)(?: - at `\$(?P<path>[^`]*)`)?$", re.DOTALL)
 _EXPECTED = re.compile(r"Expected `(?P<wanted>[^`]*)`(?P<rest>.*)", re.DOTALL)
 _FIELD = re.compile(r"Object (?P<what>missing required|contains unknown) field `(?P<name>.*)`")
@@ -107,17 +106,6 @@ def _explained(
     if expected := _EXPECTED.match(problem):
         return _expected(expected["wanted"], expected["rest"], table, path), path
     return (f"in {_trail(table, path)}, {problem}" if path else problem), path
-
-
-def meant(name: str, known: Iterable[str]) -> str:
-    """What to do about a name that is not known: which of those it looks like, if any."""
-    near = nearest(name, known)
-    return f"perhaps {near!r} is meant" if near else "remove or correct it"
-
-
-def nearest(name: str, known: Iterable[str]) -> str:
-    """The known name that another one is a slip of; empty if it looks like none."""
-    return next(iter(get_close_matches(name, list(known), 1, _ALIKE)), "")
 
 
 def _expected(wanted: str, rest: str, table: dict[str, object], path: toml_lines.Path) -> str:

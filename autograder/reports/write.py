@@ -15,10 +15,10 @@ from autograder.reports.class_csv import write_class_csv
 from autograder.reports.class_html import class_html
 from autograder.reports.class_summary import gather
 from autograder.reports.feedback_html import Feedback, feedback_html
-from autograder.reports.fingerprints import Fingerprints, has_fingerprint
 from autograder.reports.grades_csv import write_grades_csv
 from autograder.reports.pictures import Pictures
 from autograder.reports.terminal import progress_bar
+from autograder.reports.unchanged_pages import Fingerprints, has_fingerprint
 from autograder.reports.whole_files import file_name, write_text
 
 

@@ -26,6 +26,7 @@ from autograder.sandbox.control_group import ControlGroup
 from autograder.sandbox.own_folder import OwnFolder
 from autograder.sandbox.own_user import OwnIdentity
 from autograder.sandbox.staged_notebooks import stage
+from autograder.sandbox.student_environment import student_environment
 
 _SYSTEM_FILES = ("/etc/ld.so.cache", "/etc/localtime")
 _PACKAGE = Path(__file__).parents[1]
@@ -278,7 +279,7 @@ class Host:
             "alone": True,
             "keep_reading": False,
         }
-        environment = self._environment(bubblewrap.COURSE, bubblewrap.SCRATCH)
+        environment = student_environment(bubblewrap.COURSE, bubblewrap.SCRATCH, self._settings)
         if fonts is not None:
             environment["AUTOGRADER_FONT_LIST"] = str(bubblewrap.FONTS)
         for name, value in environment.items():
@@ -316,34 +317,11 @@ class Host:
             # An interpreter in root's home folder is closed to any other user.
             "keep_reading": bool(self._identity) and any(map(_is_closed, needed)),
         }
-        environment = self._environment(course, scratch)
+        environment = student_environment(course, scratch, self._settings)
         fonts = font_folder()
         if fonts is not None:
             environment["AUTOGRADER_FONT_LIST"] = str(fonts)
         return self._start([], set_up, environment)
-
-    def _environment(self, course: Path, scratch: Path) -> dict[str, str]:
-        work = scratch / "work"
-        return {
-            "PATH": "/usr/bin:/bin",
-            "HOME": str(work),
-            "USER": "student",
-            "LANG": "C.UTF-8",
-            "TMPDIR": str(work / "tmp"),
-            "MPLBACKEND": "agg",
-            "MPLCONFIGDIR": str(scratch / "matplotlib"),
-            "IPYTHONDIR": str(scratch / "ipython"),
-            "PYTHONPATH": str(course),
-            "PYTHONDONTWRITEBYTECODE": "1",
-            "PYTHONHASHSEED": "0",
-            "PYTHONWARNINGS": "ignore",
-            "OMP_NUM_THREADS": "1",
-            "OPENBLAS_NUM_THREADS": "1",
-            "MALLOC_ARENA_MAX": "2",
-            "AUTOGRADER_COURSE": str(course),
-            "AUTOGRADER_RESPONSES": str(work / "responses"),
-            "AUTOGRADER_PACKAGES": " ".join(self._settings.packages),
-        }
 
     def _start(
         self, prefix: list[str], set_up: dict[str, object], environment: dict[str, str]

@@ -9,25 +9,10 @@ from autograder.language import _, n_
 from autograder.questions.mark import Mark
 from autograder.questions.registry import kind_of
 from autograder.questions.status import Status
+from autograder.student.points_in_words import in_points, number, points_of
 from autograder.student.receipts import RECEIPT, receipt
 from autograder.student.responses import answered, only_recorded, points
 from autograder.student.submission import Packed
-
-
-def number(value: float) -> str:
-    """Points without needless zeros."""
-    return f"{value:.2f}".rstrip("0").rstrip(".")
-
-
-def points_of(earned: float, most: float) -> str:
-    """``1 of 1 point``, ``1 of 2 points``."""
-    sentence = n_("{earned} of {most} point", "{earned} of {most} points", most)
-    return sentence.format(earned=number(earned), most=number(most))
-
-
-def in_points(count: float) -> str:
-    """``1 point``, ``2 points``."""
-    return n_("{count} point", "{count} points", count).format(count=number(count))
 
 
 class _View:
@@ -188,8 +173,8 @@ class HintView(_View):
         if not hints:
             return [_("{question} has no hints.").format(question=self.question.id)]
         lines = []
-        for number, hint in enumerate(hints[: self.count], 1):
-            sentence = _("Hint {number} of {count}").format(number=number, count=len(hints))
+        for place, hint in enumerate(hints[: self.count], 1):
+            sentence = _("Hint {number} of {count}").format(number=place, count=len(hints))
             lines += [f"**{sentence}:** {hint}", ""]
         if self.count < len(hints):
             return [*lines, _("For the next one, run this again.")]

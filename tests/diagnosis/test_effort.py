@@ -135,6 +135,7 @@ def test_what_is_spread_out_is_not_changed_to_what_is_no_python():
 def test_no_diagnosis_looks_at_a_clock():
     modules = [*ENGINE.glob("kinds/*/diagnosis.py"), *ENGINE.glob("diagnosis/*.py")]
     modules += [
+        ENGINE / "kinds/function/called_otherwise.py",
         ENGINE / "kinds/function/hypotheses.py",
         ENGINE / "kinds/function/right_but_for_form.py",
     ]

@@ -15,7 +15,7 @@ from autograder.kinds.expression.slopes import slopes
 from autograder.kinds.expression.wrong_throughout import wholes
 from autograder.kinds.function.changed_values import changes
 from autograder.kinds.function.right_but_for_form import repairs
-from autograder.kinds.function.slips import _WORDS, in_words
+from autograder.kinds.function.words_for_slips import _WORDS, in_words
 from autograder.kinds.number.variations import variations
 from autograder.kinds.order.diagnosis import diagnose_order
 from autograder.mutants.formula_edits import edited_formulas

@@ -82,7 +82,8 @@ def test_no_translation_is_left_of_a_sentence_that_is_gone(path: Path):
 
 # Where a sentence may reach a student, and the modules there that speak to authors only.
 ROOMS = ("student", "questions", "kinds", "marking", "diagnosis", "grading/chapter.py",
-         "grading/own_exceptions.py", "exchange/why_unusable.py", "gradebook/grading_scheme.py",
+         "grading/visible_example.py", "grading/own_exceptions.py", "exchange/why_unusable.py",
+         "gradebook/grading_scheme.py",
          "sandbox/stop_errors.py", "reports/feedback_html.py", "course/predictions.py",
          "grading/numbers_of_others.py", "intake/notebook_reader.py", "intake/archive.py",
          "intake/read_files.py", "intake/wanted_files.py")  # fmt: skip
@@ -90,7 +91,7 @@ OF_AUTHORS = {"answer.py", "question.py", "trial.py", "raises_promises.py", "sen
               "stub.py", "expected.py", "strict_reader.py", "toml_lines.py", "author_tables.py",
               "registry.py", "key_formulas.py", "variables.py", "exercise.py", "draw.py",
               "marker.py", "marker_process.py", "take_snapshot.py",
-              "reference_failures.py"}  # fmt: skip
+              "reference_failures.py", "nearest_name.py"}  # fmt: skip
 TO_AUTHORS = {"CourseError", "FieldError", "ValueError", "problems", "unsound", "poor_draw",
               "poor_value", "too_few_mistakes", "check_answer", "other_mistakes"}  # fmt: skip
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+import tarfile
 import venv
 import zipfile
 from email.parser import Parser
@@ -12,23 +13,25 @@ from pathlib import Path
 
 import pytest
 
-import autograder
-
 ROOT = Path(__file__).parents[2]
 
 
 def build_wheel(folder: Path, target: Path, **environment: str) -> zipfile.ZipFile:
     """Build the wheel of a folder without looking anything up."""
+    return zipfile.ZipFile(build("wheel", folder, target, **environment))
+
+
+def build(kind: str, folder: Path, target: Path, **environment: str) -> Path:
     clean = {name: value for name, value in os.environ.items() if not name.startswith("PIP_")}
     subprocess.run(
-        [sys.executable, "-m", "hatchling", "build", "-t", "wheel", "-d", str(target)],
+        [sys.executable, "-m", "hatchling", "build", "-t", kind, "-d", str(target)],
         cwd=folder,
         env=clean | environment,
         check=True,
         capture_output=True,
     )
-    (wheel,) = target.glob("*.whl")
-    return zipfile.ZipFile(wheel)
+    (built,) = target.iterdir()
+    return built
 
 
 def requirements(wheel: zipfile.ZipFile) -> list[str]:
@@ -47,13 +50,14 @@ def course(tmp_path_factory: pytest.TempPathFactory) -> zipfile.ZipFile:
 
 
 def test_the_engine_s_wheel_holds_the_package_and_no_course(engine: zipfile.ZipFile):
+    """Its rooms are named one by one: a new one must not be forgotten."""
     tops = {name.partition("/")[0] for name in engine.namelist()}
     assert {top for top in tops if not top.startswith("course_autograder-")} == {"autograder"}
     modules = {name for name in engine.namelist() if name.endswith(".py")}
     assert modules == {
         path.relative_to(ROOT).as_posix()
         for path in (ROOT / "autograder").rglob("*.py")
-        if "__pycache__" not in path.parts
+        if "__pycache__" not in path.parts and path.name != "hatch_build.py"
     }
     assert not any(name.endswith(".toml") for name in engine.namelist())
     # JupyterLab finds its settings where the environment keeps them.
@@ -110,15 +114,16 @@ def test_the_engine_runs_from_its_wheel_without_a_checkout(engine: zipfile.ZipFi
     assert done.stdout.startswith("autograder 0."), done.stderr
 
 
-def test_no_file_of_the_package_is_left_out_of_the_engine_s_wheel(engine: zipfile.ZipFile):
-    """Its rooms are named one by one: a new one must not be forgotten."""
-    package = Path(autograder.__file__).parent
-    modules = {
-        f"autograder/{path.relative_to(package).as_posix()}"
-        for path in package.rglob("*.py")
-        if "__pycache__" not in path.parts
+def test_the_engine_s_source_distribution_gives_the_same_wheel(
+    engine: zipfile.ZipFile, tmp_path: Path
+):
+    source = build("sdist", ROOT / "autograder", tmp_path / "source")
+    with tarfile.open(source) as archive:
+        archive.extractall(tmp_path, filter="data")
+    again = build_wheel(tmp_path / source.name.removesuffix(".tar.gz"), tmp_path / "wheel")
+    assert {i.filename: i.CRC for i in again.infolist()} == {
+        i.filename: i.CRC for i in engine.infolist()
     }
-    assert modules <= set(engine.namelist())
 
 
 def test_the_engine_brings_the_setting_that_keeps_widgets(engine: zipfile.ZipFile):

@@ -8,7 +8,8 @@ from pathlib import Path
 import pytest
 
 from autograder.cli import main
-from autograder.reports.similarity import fingerprints, similar_pairs
+from autograder.reports.code_fingerprints import fingerprints
+from autograder.reports.similarity import similar_pairs
 from tests.classroom import RIGHT, START, make_course, notebook
 
 ORIGINAL = """

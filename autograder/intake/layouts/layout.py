@@ -9,7 +9,8 @@ from typing import Protocol
 
 from autograder.course import Settings
 from autograder.intake.autograder_files import SIDE, is_side_file
-from autograder.intake.file_or_zip import Place, is_notebook_name, is_system, is_zip
+from autograder.intake.file_kinds import is_notebook_name, is_system
+from autograder.intake.file_or_zip import Place, is_zip
 from autograder.intake.handout import Handout
 from autograder.intake.long_list import LongList
 from autograder.intake.names_in_sentences import shown

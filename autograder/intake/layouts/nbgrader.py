@@ -10,7 +10,8 @@ from datetime import UTC, datetime
 from zoneinfo import ZoneInfo, ZoneInfoNotFoundError
 
 from autograder.errors import UsageError
-from autograder.intake.file_or_zip import Place, is_notebook_name, is_system
+from autograder.intake.file_kinds import is_notebook_name, is_system
+from autograder.intake.file_or_zip import Place
 from autograder.intake.layouts.layout import Context, Entry, Found, fit_most, side_entry, visible
 from autograder.intake.names_in_sentences import shown
 from autograder.intake.notebook_reader import Unreadable

@@ -53,7 +53,10 @@ def asked_in_vain(case: Case, outcome: Mapping[str, object]) -> str:
     How many samples were drawn can be told only where they are drawn by `choice`.
     """
     if asked := other_draws(case, outcome):
-        return f'draws {outcome["drawn"]} random numbers, and "draws" asks for {asked}'
+        sentence = f'draws {outcome["drawn"]} random numbers, and "draws" asks for {asked}'
+        # A reference that draws from elsewhere would find nobody's draws, not even its own.
+        elsewhere = "" if outcome["drawn"] else "; only those of the generator it is given count"
+        return sentence + elsewhere
     sampled = outcome.get("sampled")
     if "samples" not in case or not isinstance(sampled, list):
         return ""

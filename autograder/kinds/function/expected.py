@@ -17,7 +17,7 @@ from autograder.kinds.function.hypotheses import Hypotheses
 from autograder.kinds.function.marking import Expected, Outcome, close
 from autograder.kinds.function.question import Function
 from autograder.questions.drawn import Drawn
-from autograder.questions.strict_reader import meant
+from autograder.questions.nearest_name import meant
 from autograder.sandbox.inside.evaluate import evaluate
 
 _OF_A_CASE = ("name", "args", "kwargs", "public", "draws", "samples", "may_raise")

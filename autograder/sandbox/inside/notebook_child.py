@@ -28,7 +28,8 @@ from typing import NoReturn
 from autograder.exchange import wire
 from autograder.exchange.channel import Channel
 from autograder.exchange.messages import Message
-from autograder.sandbox.inside.notebook import CellTimeout, Notebook
+from autograder.sandbox.inside.cell_time_limit import CellTimeout
+from autograder.sandbox.inside.notebook import Notebook
 
 PATIENCE = 20  # times a limit: how long to wait on a machine that has other things to do
 _ANSWERED = 77  # exit status of a fork that has sent its answer

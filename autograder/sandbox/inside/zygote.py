@@ -43,8 +43,9 @@ from autograder.sandbox import landlock, lockdown, seccomp
 from autograder.sandbox.empty_folder import empty
 from autograder.sandbox.inside.notebook_child import prepare_process, serve
 from autograder.sandbox.inside.warm_imports import warm
+from autograder.sandbox.notebook_usage import Usage
 from autograder.sandbox.own_time import OwnTime
-from autograder.sandbox.processes import Usage, descendants, end_all_others, end_leftovers, tasks_of
+from autograder.sandbox.processes import descendants, end_all_others, end_leftovers, tasks_of
 from autograder.sandbox.stop_errors import BY_SIGNAL
 
 _CONFINED = b"confined"

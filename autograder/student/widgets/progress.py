@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from autograder.student.desk import Desk
+from autograder.student.points_in_words import number
 from autograder.student.responses import answered, only_recorded, points
-from autograder.student.views import number
 from autograder.student.widgets.base import CourseWidget, source
 
 

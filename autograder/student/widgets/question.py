@@ -14,8 +14,8 @@ from autograder.questions.status import Status
 from autograder.reports.markdown import inline, markdown
 from autograder.student.desk import Desk, hints_open
 from autograder.student.frontend import in_vscode
+from autograder.student.points_in_words import points_of
 from autograder.student.responses import attempts
-from autograder.student.views import points_of
 from autograder.student.widgets.base import CourseWidget, receipt_output
 
 

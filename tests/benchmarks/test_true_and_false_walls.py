@@ -1,7 +1,7 @@
 import numpy as np
 
 from benchmarks.scenes import BEAMS, Scene, hard_scenes
-from benchmarks.scoring import matches, rates
+from benchmarks.true_and_false_walls import matches, rates
 
 # Two walls: along x at y = 1, and along y at x = 5, both seen.
 WALLS = np.array([[[0.0, 1.0], [4.0, 1.0]], [[5.0, 0.0], [5.0, 4.0]]])
