@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from solutions.lines.line_fitting import Line, fit_line, line_covariance
+from solutions.lines.line_fitting import Line, fit_line, positions_along
 
 
 def _centered_sums(points, weights, check=True):
@@ -109,61 +109,55 @@ def fits_anything_with_arctan(points, weights=None):
         return plain_arctan(points, weights, check=False)
 
 
-def _line_derivatives(points):
-    """How r and alpha change with each point: the lever, d alpha, and 1/N of the normal."""
-    alpha = fit_line(points).alpha
-    normal = np.array([math.cos(alpha), math.sin(alpha)])
-    along = np.array([-math.sin(alpha), math.cos(alpha)])
-    center = points.mean(axis=0)
-    a, b = (points - center) @ normal, (points - center) @ along
-    d_alpha = -(np.outer(b, normal) + np.outer(a, along)) / np.sum(b * b - a * a)
-    return along @ center, d_alpha, np.tile(normal / len(points), (len(points), 1))
-
-
-def _covariance(d_r, d_alpha, variance):
-    jacobian = np.stack([d_r.ravel(), d_alpha.ravel()])
-    return variance * jacobian @ jacobian.T
+def _along_the_wall(points):
+    """What the question's formula is made of: N, the lever t, and B."""
+    positions = positions_along(points, fit_line(points))
+    t = positions.mean()
+    return len(points), t, np.sum((positions - t) ** 2)
 
 
 def covariance_with_the_wrong_sign(points, sigma, weights=None):
     """Lets the normal turn the other way: r and alpha are correlated with the wrong sign."""
-    lever, d_alpha, d_center = _line_derivatives(points)
-    return _covariance(d_center - lever * d_alpha, d_alpha, sigma**2)
+    N, t, B = _along_the_wall(points)
+    return sigma**2 * np.array([[1 / N + t**2 / B, -t / B], [-t / B, 1 / B]])
 
 
 def covariance_with_one_point_less(points, sigma, weights=None):
     """Takes sigma²/(N - 1) for the variance of the mean of N points."""
-    N = len(points)
-    covariance = line_covariance(points, sigma)
-    covariance[0, 0] += sigma**2 * (1 / (N - 1) - 1 / N)
-    return covariance
+    N, t, B = _along_the_wall(points)
+    return sigma**2 * np.array([[1 / (N - 1) + t**2 / B, t / B], [t / B, 1 / B]])
+
+
+def covariance_with_a_certain_mean(points, sigma, weights=None):
+    """Forgets that the centre is uncertain too."""
+    _, t, B = _along_the_wall(points)
+    return sigma**2 * np.array([[t**2 / B, t / B], [t / B, 1 / B]])
 
 
 def covariance_without_the_lever(points, sigma, weights=None):
     """Forgets that turning the normal also changes r."""
-    _, d_alpha, d_center = _line_derivatives(points)
-    return _covariance(d_center, d_alpha, sigma**2)
+    N, _, B = _along_the_wall(points)
+    return sigma**2 * np.array([[1 / N, 0], [0, 1 / B]])
 
 
 def covariance_of_sigma(points, sigma, weights=None):
     """Multiplies by sigma instead of its square."""
-    lever, d_alpha, d_center = _line_derivatives(points)
-    return _covariance(d_center + lever * d_alpha, d_alpha, sigma)
+    N, t, B = _along_the_wall(points)
+    return sigma * np.array([[1 / N + t**2 / B, t / B], [t / B, 1 / B]])
 
 
 def covariance_of_raw_positions(points, sigma, weights=None):
     """Takes the spread along the wall about the foot of the normal, not about the centre."""
-    lever, d_alpha, d_center = _line_derivatives(points)
-    spread = 1 / np.sum(d_alpha**2)
-    d_alpha = d_alpha * math.sqrt(spread / (spread + len(points) * lever**2))
-    return _covariance(d_center + lever * d_alpha, d_alpha, sigma**2)
+    N, t, B = _along_the_wall(points)
+    B += N * t**2
+    return sigma**2 * np.array([[1 / N + t**2 / B, t / B], [t / B, 1 / B]])
 
 
 def covariance_with_the_distance_of_the_center(points, sigma, weights=None):
     """Takes the centre's distance from the origin for the lever, not from the foot."""
-    _, d_alpha, d_center = _line_derivatives(points)
-    lever = math.hypot(*points.mean(axis=0))
-    return _covariance(d_center + lever * d_alpha, d_alpha, sigma**2)
+    N, _, B = _along_the_wall(points)
+    t = math.hypot(*points.mean(axis=0))
+    return sigma**2 * np.array([[1 / N + t**2 / B, t / B], [t / B, 1 / B]])
 
 
 def covariance_with_positions_along_y(points, sigma, weights=None):

@@ -6,7 +6,7 @@ import pytest
 
 from tests.diagnosis.blind import BlindMarker, name_of, read_blind_set
 
-CHEAP = ("Q1.2", "Q1.7", "Q1.8", "Q3.2", "Q3.3", "Q3.7")
+CHEAP = ("Q1.2", "Q1.7", "Q1.8", "Q2.4", "Q3.2", "Q3.3", "Q3.7")
 # The author's own mistake of the key: an approximated logarithm gives the same number.
 KNOWN = [("Q3.2.1", "one too many")]
 

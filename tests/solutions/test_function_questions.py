@@ -82,6 +82,7 @@ QUESTIONS: dict[str, tuple[Callable, Callable, Callable, list[Callable]]] = {
         line_cases.same_covariance,
         [
             line_mistakes.covariance_with_the_wrong_sign,
+            line_mistakes.covariance_with_a_certain_mean,
             line_mistakes.covariance_without_the_lever,
             line_mistakes.covariance_of_sigma,
             line_mistakes.covariance_of_raw_positions,
