@@ -1,10 +1,12 @@
 """Functions: right on every kind of input, or like a known mistake, or right on some kinds."""
 
 import math
+from fractions import Fraction
 from typing import Any
 
 import numpy as np
 import pytest
+import sympy as sp
 from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
@@ -33,6 +35,18 @@ def test_another_way_to_the_right_values_is_right(marker):
     assert [part.label for part in verdict.parts] == [
         "no weights", "two equal weights", "many weights", "one heavy weight",
     ]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    "number",
+    [np.float64, np.longdouble, Fraction, sp.Float, lambda mean: np.array(mean)],
+    ids=["float64", "longdouble", "Fraction", "sympy", "array"],
+)
+def test_a_right_value_of_any_type_is_right(marker, number):
+    def mean(weights):
+        return number(sum(weights) / max(len(weights), 1))
+
+    assert mark(marker, mean).status == "right"
 
 
 def test_a_stub_is_not_attempted_wherever_it_raises(marker):

@@ -167,6 +167,8 @@ def to_plain(value: object, depth: int = 0) -> object:
         if array.dtype.kind in "biufc":
             return array
         return [to_plain(entry, depth + 1) for entry in array.tolist()]
+    if isinstance(value, np.longdouble | np.clongdouble):  # whose `item` is no number of Python's
+        return complex(value) if isinstance(value, np.clongdouble) else float(value)
     if isinstance(value, np.generic):
         return to_plain(value.item(), depth + 1)
     if isinstance(value, numbers.Integral):
