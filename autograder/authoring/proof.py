@@ -20,8 +20,8 @@ from autograder.authoring.line_in_key import with_line
 from autograder.authoring.misplaced_files import misplaced_files
 from autograder.authoring.proof_by_mutants import prove_by_mutants, untested_promises
 from autograder.authoring.proof_for_students import prove_for_students
+from autograder.authoring.proof_of_drawn_numbers import prove_variants
 from autograder.authoring.proof_of_texts import prove_texts
-from autograder.authoring.proof_of_variants import prove_variants
 from autograder.course import Course, load_course
 from autograder.course.answers import Answer
 from autograder.course.folders import cell_id

@@ -8,22 +8,14 @@ from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from msgspec import structs
-
+from autograder.authoring.proof_of_right_work import RightWork
 from autograder.course import Course, load_course
 from autograder.course.questions import Question
-from autograder.course.right_work import right_work_of
-from autograder.marking.draw import draw, random_numbers
+from autograder.marking.draw import random_numbers
 from autograder.mutants.mutant import OutOfTime, Trial
-from autograder.mutants.time_limit import time_limit
-from autograder.questions.answer import Answer
-from autograder.questions.drawn import Drawn
 from autograder.questions.registry import kind_of
-from autograder.sandbox.inside.evaluate import evaluate
 
 MUTANT_SEEDS = range(1, 11)
-VARIANT_SEEDS = range(1, 26)
-_VARIANT_SECONDS = 5.0  # of a processor, for a variant and the hidden inputs of one seed
 
 
 class Job(NamedTuple):
@@ -56,13 +48,13 @@ class Bench:
     def __init__(self, root: Path) -> None:
         self._course = load_course(root)
         self._trials: dict[str, Trial | None] = {}
-        self._drawn: dict[tuple[str, int], Drawn] = {}
+        self._right_work = RightWork(self._course)
 
     def work(self, job: Job) -> Any:
         """For a mutant what it passed, nothing if it lost; for a variant what is wrong with it."""
         question = self._course.question(job.question)
         if job.variant is not None:
-            return self._variant(question, job.variant)
+            return self._right_work.problem(question, job.variant)
         assert job.mutant is not None
         return self._mutant(question, job.mutant)
 
@@ -78,38 +70,6 @@ class Bench:
             except (OutOfTime, MemoryError):
                 return []  # a student's function that does this earns nothing
         return []
-
-    def _variant(self, question: Question, name: str) -> str:
-        kind, answer = kind_of(question), self._answer(question)
-        written = right_work_of(self._course, question)[name]
-        try:
-            response = kind.variant(question, written)
-        except Exception as error:  # the course's own code may do anything
-            return f"it cannot be made: {type(error).__name__}: {error}"
-        for seed in VARIANT_SEEDS:
-            drawn = self._draw(question, answer, seed)
-            try:
-                with time_limit(_VARIANT_SECONDS):
-                    found = evaluate(response, drawn.probe)
-            except OutOfTime:
-                return f"with seed {seed} it takes more than {_VARIANT_SECONDS:g} s"
-            mark = kind.mark(question, answer, drawn, found)
-            if mark.credit != 1:
-                return f"with seed {seed} it gets {mark.credit:g} credit: {mark.feedback}"
-        return ""
-
-    def _answer(self, question: Question) -> Answer:
-        """The key; without the mistakes that take long and change nothing for what is right."""
-        answer = self._course.key[question.id]
-        if not kind_of(question).solutions(answer):
-            return answer
-        right = tuple(entry for entry in answer.alternatives if not entry.is_mistake)
-        return structs.replace(answer, alternatives=right)
-
-    def _draw(self, question: Question, answer: Answer, seed: int) -> Drawn:
-        if (question.id, seed) not in self._drawn:
-            self._drawn[question.id, seed] = draw(question, answer, seed, self._course.root)
-        return self._drawn[question.id, seed]
 
 
 def serve(root: Path, pipe: Connection) -> None:

@@ -10,8 +10,6 @@ from rich.console import Console
 from autograder.cli.exit_status import DONE
 from autograder.cli.shared_arguments import Commands, load
 
-_MUCH = 25  # MB; what is sent back by e-mail or uploaded to GitHub in a browser may not be more
-
 
 def add(commands: Commands) -> None:
     """Describe the command."""
@@ -31,6 +29,7 @@ def add(commands: Commands) -> None:
 def run(parsed: argparse.Namespace, console: Console) -> int:
     """Write the bundle and say what it holds."""
     from autograder.release.bundle import release
+    from autograder.release.large_files import large_files
 
     course = load(parsed)
     practice = list(dict.fromkeys(parsed.practice or []))
@@ -49,14 +48,8 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
     )
     for stays in bundle.left_out:
         console.print(f"Left out: {stays.path}; {stays.reason}.", markup=False, soft_wrap=True)
-    for path in bundle.files:
-        if (megabytes := (bundle.folder / path).stat().st_size / 1e6) > _MUCH:
-            console.print(
-                f"{path} has {megabytes:.0f} MB, and every student downloads it: learning systems "
-                "and GitHub may refuse that; store less of it, or store it smaller.",
-                markup=False,
-                soft_wrap=True,
-            )
+    for sentence in large_files(bundle):
+        console.print(sentence, markup=False, soft_wrap=True)
     for missed in bundle.blind:
         console.print(
             f"Its checks cannot tell this mistake: {missed}", markup=False, soft_wrap=True

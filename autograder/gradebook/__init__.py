@@ -1,8 +1,8 @@
 """The gradebook: one SQLite file with runs, submissions, marks, overrides and notes."""
 
 from autograder.gradebook.book import Gradebook
+from autograder.gradebook.find_student import find_record
 from autograder.gradebook.grading_scheme import Scheme
-from autograder.gradebook.lookup import find_record
 from autograder.gradebook.record import Attempt, Note, Override, Record
 from autograder.gradebook.runs import Run
 from autograder.gradebook.schema import SCHEMA_VERSION

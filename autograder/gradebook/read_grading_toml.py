@@ -11,8 +11,8 @@ from msgspec import Meta, field
 
 from autograder.course import Course
 from autograder.errors import CourseError, UsageError
+from autograder.gradebook.find_student import find_record
 from autograder.gradebook.grading_scheme import Curve, Scheme, plain_scheme
-from autograder.gradebook.lookup import find_record
 from autograder.gradebook.record import Record
 from autograder.questions.author_tables import Text, Written
 from autograder.questions.strict_reader import Place, read_table

@@ -6,8 +6,8 @@ import json
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
+from autograder.gradebook.find_student import find_record
 from autograder.gradebook.handed_in_before import HandedInBefore
-from autograder.gradebook.lookup import find_record
 from autograder.gradebook.overrides_and_notes import OverridesAndNotes
 from autograder.gradebook.record import Attempt, Note, Override, Record
 from autograder.gradebook.unusable_gradebook import readable_entries, readable_errors

@@ -1,8 +1,9 @@
-"""What a name says a file is: a notebook, or something of an operating system's."""
+"""What a name says a file is: a notebook, saved responses, or an operating system's own."""
 
 from __future__ import annotations
 
 import re
+from pathlib import PurePosixPath
 
 # What operating systems and editors leave behind; nobody hands these in.
 _SYSTEM = {"__macosx", "thumbs.db", "desktop.ini", ".ds_store", ".ipynb_checkpoints", "__pycache__"}
@@ -19,3 +20,12 @@ def is_notebook_name(name: str) -> bool:
 def is_system(name: str) -> bool:
     """Whether an operating system or an editor made it."""
     return name.lower() in _SYSTEM or name.startswith(_SYSTEM_STARTS)
+
+
+def is_wanted(path: PurePosixPath) -> bool:
+    """Whether the file is a notebook or a chapter's saved responses."""
+    if any(part.startswith((".", "__")) for part in path.parts):
+        return False  # .ipynb_checkpoints, __MACOSX
+    if is_notebook_name(path.name):
+        return True
+    return path.suffix == ".json" and path.parent.name == "responses"

@@ -17,12 +17,12 @@ from autograder.course import Settings
 from autograder.errors import raise_if_short
 from autograder.intake.archive import Archive, archive_from_bytes
 from autograder.intake.download_names import moodle_name, rest_of
-from autograder.intake.file_kinds import is_notebook_name
+from autograder.intake.file_kinds import is_notebook_name, is_wanted
 from autograder.intake.file_or_zip import Place, place_of
+from autograder.intake.limits_on_files import Files, Kept
 from autograder.intake.names_in_sentences import shown
 from autograder.intake.notebook_reader import SUBMITTED, Unreadable
 from autograder.intake.origin import Piece
-from autograder.intake.wanted_files import Files, Kept, is_wanted
 from autograder.language import _
 
 MAX_DEPTH = 8  # folders inside folders

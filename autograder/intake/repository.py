@@ -20,10 +20,11 @@ from pathlib import Path, PurePosixPath
 
 from autograder.exchange.messages import Message
 from autograder.intake import repository_reader
+from autograder.intake.file_kinds import is_wanted
 from autograder.intake.file_or_zip import DiskPlace, Place, place_of
+from autograder.intake.limits_on_files import Files, Kept
 from autograder.intake.notebook_reader import Unreadable
 from autograder.intake.origin import Piece
-from autograder.intake.wanted_files import Files, Kept, is_wanted
 
 _SECONDS = 120
 _SUFFIXES = (".ipynb", ".json", ".txt")

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from autograder.exchange.responses import Entry, keep_response
 from autograder.intake.file_kinds import is_notebook_name
+from autograder.intake.limits_on_files import Files
 from autograder.intake.names_in_sentences import MOST_NAMES, shown_path
 from autograder.intake.notebook_reader import (
     Unreadable,
     parse_json,
 )
-from autograder.intake.wanted_files import Files
 from autograder.intake.which_notebook_counts import (
     plainest_name,
 )

@@ -10,13 +10,13 @@ from pathlib import PurePosixPath
 
 from autograder.intake.file_kinds import is_notebook_name
 from autograder.intake.handout import Handout, is_filled_in_by
+from autograder.intake.limits_on_files import Files, Kept
 from autograder.intake.names_in_sentences import MOST_NAMES, shown_path
 from autograder.intake.notebook_reader import (
     Notebook,
     Unreadable,
     read_notebook,
 )
-from autograder.intake.wanted_files import Files, Kept
 
 # One suffix of a copy, in only one way: with a choice of ways, a name that a student made up could
 # take for ever to be found not to match.

@@ -14,12 +14,14 @@ from autograder.reports.failures_html import time_and_failures_html
 from autograder.reports.html_page import page, table
 from autograder.reports.markdown import text
 from autograder.reports.mistakes_html import mistakes_html
-from autograder.reports.people_html import Links, needy_html, to_do_html
+from autograder.reports.needs_help_html import needy_html
 from autograder.reports.predictions import predictions_html
 from autograder.reports.questions_html import broken_html, questions_html
+from autograder.reports.student_links import Links
 from autograder.reports.svg_charts import (
     histogram,
 )
+from autograder.reports.waits_for_a_person_html import to_do_html
 
 
 def class_html(

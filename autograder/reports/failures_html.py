@@ -9,7 +9,7 @@ from autograder.language import _, n_
 from autograder.reports.class_summary import ClassFindings
 from autograder.reports.html_page import table
 from autograder.reports.markdown import text
-from autograder.reports.people_html import Links
+from autograder.reports.student_links import Links
 from autograder.reports.svg_charts import (
     histogram,
 )

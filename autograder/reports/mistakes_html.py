@@ -8,7 +8,7 @@ from autograder.language import _, n_
 from autograder.reports.common_mistakes import Mistake
 from autograder.reports.html_page import table
 from autograder.reports.markdown import text
-from autograder.reports.people_html import Links
+from autograder.reports.student_links import Links
 
 _MOST_MISTAKES = 20
 

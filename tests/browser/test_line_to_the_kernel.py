@@ -10,7 +10,7 @@ from playwright.sync_api import Browser, Page
 
 import autograder.student.widgets as widgets
 
-COMMON = Path(widgets.__file__).with_name("common.js")
+HELPERS = [Path(widgets.__file__).with_name(f"{name}.js") for name in ("common", "kernel_line")]
 # A model as anywidget hands it out. `sent` are the messages, `answer` is the kernel's reply to all
 # views, as it comes: a view must know its own.
 KERNEL = """
@@ -43,7 +43,8 @@ function open(unkept) {
 def page(browser: Browser) -> Iterator[Page]:
     context = browser.new_context()
     opened = context.new_page()
-    opened.add_script_tag(content=COMMON.read_text() + KERNEL)
+    helpers = "\n".join(path.read_text(encoding="utf-8") for path in HELPERS)
+    opened.add_script_tag(content=helpers + KERNEL)
     yield opened
     context.close()
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from autograder.authoring.proof_of_variants import prove_variants
+from autograder.authoring.proof_of_drawn_numbers import prove_variants
 from autograder.course.placeholders import fill, fill_text
 from autograder.errors import CourseError
 from autograder.marking.marker import Marker

@@ -86,7 +86,7 @@ ROOMS = ("student", "questions", "kinds", "marking", "diagnosis", "grading/chapt
          "gradebook/grading_scheme.py",
          "sandbox/stop_errors.py", "reports/feedback_html.py", "course/predictions.py",
          "grading/numbers_of_others.py", "intake/notebook_reader.py", "intake/archive.py",
-         "intake/read_files.py", "intake/wanted_files.py")  # fmt: skip
+         "intake/read_files.py", "intake/limits_on_files.py")  # fmt: skip
 OF_AUTHORS = {"answer.py", "question.py", "trial.py", "raises_promises.py", "sensible.py",
               "stub.py", "expected.py", "strict_reader.py", "toml_lines.py", "author_tables.py",
               "registry.py", "key_formulas.py", "variables.py", "exercise.py", "draw.py",
@@ -173,7 +173,7 @@ def test_what_widgets_say_is_marked_for_translation():
 
 
 def test_a_widget_speaks_german(monkeypatch: pytest.MonkeyPatch):
-    module = source("common.js", "question.js")
+    module = source("common.js", "kernel_line.js", "question.js")
     assert in_other_words(module) == {}
     language.use("de")
     words = in_other_words(module)

@@ -16,7 +16,7 @@ HERE = Path(__file__).parent
 class OrderWidget(ChoiceWidget):
     """An order question."""
 
-    _esm = source("common.js", "question.js", HERE / "widget.js")
+    _esm = source("common.js", "kernel_line.js", "question.js", HERE / "widget.js")
     _css = source("common.css", HERE / "widget.css")
     question: Order
 

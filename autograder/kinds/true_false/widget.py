@@ -17,7 +17,7 @@ HERE = Path(__file__).parent
 class TrueFalseWidget(ChoiceWidget):
     """A true/false question."""
 
-    _esm = source("common.js", "question.js", HERE / "widget.js")
+    _esm = source("common.js", "kernel_line.js", "question.js", HERE / "widget.js")
     _css = source("common.css", HERE / "widget.css")
     question: TrueFalse
 

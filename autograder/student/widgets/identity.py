@@ -13,7 +13,7 @@ class IdentityWidget(CourseWidget):
     The first name is kept at once; any other only after the student has read what that means.
     """
 
-    _esm = source("common.js", "identity.js")
+    _esm = source("common.js", "kernel_line.js", "identity.js")
     _css = source("common.css", "value.css")
 
     def what_is_fixed(self) -> dict[str, object]:

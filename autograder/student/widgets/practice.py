@@ -12,7 +12,7 @@ from autograder.student.widgets.base import CourseWidget, source
 class PracticeWidget(CourseWidget):
     """Starts rounds and shows their questions, each in a widget of its own."""
 
-    _esm = source("common.js", "practice.js")
+    _esm = source("common.js", "kernel_line.js", "practice.js")
     _css = source("common.css", "practice.css")
 
     def __init__(self, desk: Desk, practice: Practice) -> None:

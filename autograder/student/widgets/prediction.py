@@ -15,7 +15,7 @@ from autograder.student.widgets.base import CourseWidget, receipt_output, source
 class PredictionWidget(CourseWidget):
     """Something to predict, on show; once it is kept, it stands."""
 
-    _esm = source("common.js", "prediction.js")
+    _esm = source("common.js", "kernel_line.js", "prediction.js")
     _css = source("common.css", "value.css", "prediction.css")
 
     def __init__(self, desk: Desk, prediction: Prediction) -> None:

@@ -11,7 +11,7 @@ from autograder.student.widgets.base import CourseWidget, source
 class ProgressWidget(CourseWidget):
     """Answered questions and points, chapter by chapter."""
 
-    _esm = source("common.js", "progress.js")
+    _esm = source("common.js", "kernel_line.js", "progress.js")
     _css = source("common.css", "progress.css")
 
     def __init__(self, desk: Desk) -> None:

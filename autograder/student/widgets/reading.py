@@ -17,7 +17,7 @@ from autograder.student.widgets.base import CourseWidget, source
 class ReadingWidget(CourseWidget):
     """Three functions for a question that asks to write one; ``seed`` says which."""
 
-    _esm = source("common.js", "reading.js")
+    _esm = source("common.js", "kernel_line.js", "reading.js")
     _css = source("common.css", "value.css", "reading.css")
 
     def __init__(

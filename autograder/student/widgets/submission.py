@@ -14,7 +14,7 @@ from autograder.student.widgets.base import CourseWidget, source
 class SubmissionWidget(CourseWidget):
     """The panel that ``submit()`` shows; it packs again on a click."""
 
-    _esm = source("common.js", "submission.js")
+    _esm = source("common.js", "kernel_line.js", "submission.js")
     _css = source("common.css", "submission.css")
 
     def __init__(

@@ -21,7 +21,7 @@ class ValueWidget(QuestionWidget):
     and the variable then takes that value.
     """
 
-    _esm = source("common.js", "question.js", "value.js")
+    _esm = source("common.js", "kernel_line.js", "question.js", "value.js")
     _css = source("common.css", "value.css")
 
     def __init__(

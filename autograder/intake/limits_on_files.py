@@ -1,4 +1,4 @@
-"""The files of a submission that are wanted, counted and weighed as they are taken in."""
+"""How many files a submission may hold, and how large: counted and weighed as they are taken in."""
 
 from __future__ import annotations
 
@@ -100,12 +100,3 @@ class Files:
         while path in self.kept:  # of another piece
             path = path.with_name(f"{path.stem}_{path.suffix}")
         self.kept[path] = kept
-
-
-def is_wanted(path: PurePosixPath) -> bool:
-    """Whether the file is a notebook or a chapter's saved responses."""
-    if any(part.startswith((".", "__")) for part in path.parts):
-        return False  # .ipynb_checkpoints, __MACOSX
-    if is_notebook_name(path.name):
-        return True
-    return path.suffix == ".json" and path.parent.name == "responses"
