@@ -16,20 +16,10 @@ from autograder.kinds.function.question import Function
 from autograder.kinds.number.question import Number
 from autograder.kinds.order.question import Order
 from autograder.kinds.true_false.question import TrueFalse
-from tests.toy import Toy, text_of
+from tests.toy import refusal, text_of
 
 KITCHEN = "notebooks/questions/kitchen.toml"
 TABLES = {table["kind"]: table for table in tomllib.loads(text_of(KITCHEN))["question"]}
-
-
-def refusal(course: Toy) -> str:
-    """The one sentence with which a broken course is refused."""
-    with pytest.raises(CourseError) as refused:
-        assert course.load().key
-    sentence = str(refused.value)
-    assert "\n" not in sentence
-    assert sentence.endswith(".")
-    return sentence
 
 
 def test_a_sound_course_has_its_chapters_and_questions_in_order(toy):

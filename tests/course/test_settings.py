@@ -3,18 +3,7 @@
 import pytest
 
 from autograder.course import Settings
-from autograder.errors import CourseError
-from tests.toy import Toy
-
-
-def refusal(course: Toy) -> str:
-    """The one sentence with which a broken course is refused."""
-    with pytest.raises(CourseError) as refused:
-        assert course.load().key
-    sentence = str(refused.value)
-    assert "\n" not in sentence
-    assert sentence.endswith(".")
-    return sentence
+from tests.toy import refusal
 
 
 def test_settings_come_from_pyproject_and_the_rest_from_the_defaults(toy):

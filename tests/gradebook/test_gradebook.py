@@ -15,17 +15,6 @@ from autograder.intake.submissions import Submission
 from tests.classroom import fill, graded, hostile_mark, mark
 
 
-@pytest.fixture
-def path(tmp_path: Path) -> Path:
-    return tmp_path / "grades" / "gradebook.db"
-
-
-@pytest.fixture
-def book(path: Path):
-    with Gradebook(path) as book:
-        yield book
-
-
 def test_what_is_stored_is_read_again(book: Gradebook):
     entry = graded("ada", mark("Q1", 1), mark("Q2", 0.25), notes=("odd",), seconds=1.5)
     fill(book, entry, seed=7)

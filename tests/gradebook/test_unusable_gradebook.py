@@ -12,17 +12,6 @@ from autograder.gradebook import SCHEMA_VERSION, Gradebook, GradebookError
 from tests.classroom import fill, graded, mark
 
 
-@pytest.fixture
-def path(tmp_path: Path) -> Path:
-    return tmp_path / "grades" / "gradebook.db"
-
-
-@pytest.fixture
-def book(path: Path):
-    with Gradebook(path) as book:
-        yield book
-
-
 def test_a_damaged_file_is_said_in_one_sentence_and_left_as_it_is(path: Path):
     path.parent.mkdir()
     path.write_bytes(b"not a database, " * 500)

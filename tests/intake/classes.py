@@ -6,17 +6,16 @@ to go with it, and for each person who handed in the time that the download give
 
 from __future__ import annotations
 
-import io
 import os
 import shutil
 import subprocess
-import zipfile
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
 
 from tests.classroom import START, notebook
+from tests.intake.handed_in import zipped
 
 NAMES = (
     "Ada Lovelace", "Ada Lovelace", "José Núñez", "Zoë O'Brien-Smith", "李 小龙",
@@ -76,14 +75,6 @@ class Download:
     path: Path
     class_list: Path
     times: dict[str, datetime | None] = field(default_factory=dict)
-
-
-def zipped(entries: dict[str, bytes]) -> bytes:
-    buffer = io.BytesIO()
-    with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as archive:
-        for name, data in entries.items():
-            archive.writestr(name, data)
-    return buffer.getvalue()
 
 
 def put(path: Path, data: bytes) -> Path:

@@ -18,7 +18,8 @@ from autograder.intake.origin import Claim, Origin
 from autograder.intake.person import Person
 from autograder.intake.roster_exports import read_people
 from tests.classroom import START, notebook
-from tests.intake.classes import put, zipped
+from tests.intake.classes import put
+from tests.intake.handed_in import zipped
 
 BOOK = notebook([START, "trees = 12"]).encode()
 LOGINS = ("ada", "boole", "curie", "dirac")

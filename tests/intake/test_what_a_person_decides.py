@@ -15,8 +15,9 @@ import pytest
 from autograder.cli import grading_run, main
 from autograder.course import Course
 from tests.classroom import START, notebook
-from tests.intake.classes import commit, git, put, zipped
+from tests.intake.classes import commit, git, put
 from tests.intake.conftest import Reader
+from tests.intake.handed_in import zipped
 
 pytestmark = pytest.mark.usefixtures("nothing_runs")
 

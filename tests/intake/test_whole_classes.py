@@ -88,7 +88,7 @@ def test_the_grade_goes_to_the_right_one_of_two_with_one_name(
     )
     right = notebook([START, "trees = 12"])
     if ada.suffix == ".zip":
-        from tests.intake.classes import zipped
+        from tests.intake.handed_in import zipped
 
         ada.write_bytes(zipped({"3_orchard.ipynb": right.encode()}))
     else:
@@ -120,6 +120,6 @@ def test_the_grade_goes_to_the_right_one_of_two_with_one_name(
 
 
 def zipped_or_not(path: Path, book: bytes) -> bytes:
-    from tests.intake.classes import zipped
+    from tests.intake.handed_in import zipped
 
     return zipped({"3_orchard.ipynb": book}) if path.suffix == ".zip" else book

@@ -20,7 +20,8 @@ from typing import Literal
 from zoneinfo import ZoneInfo
 
 from tests.classroom import START, notebook
-from tests.intake.classes import commit, ghosts, git, put, zipped
+from tests.intake.classes import commit, ghosts, git, put
+from tests.intake.handed_in import zipped
 
 FIRST = (
     *("Ada", "José", "Zoë", "Łukasz", "Jean-Luc", "Fatima", "Anna Maria", "Søren", "Kim", "D'Arcy"),

@@ -2,18 +2,11 @@
 
 from __future__ import annotations
 
-import pytest
-
 from autograder.course import Course
 from autograder.gradebook import Record
 from autograder.marking import Part
 from autograder.reports.common_mistakes import common_mistakes
-from tests.classroom import graded, make_course, mark
-
-
-@pytest.fixture(scope="module")
-def course(tmp_path_factory: pytest.TempPathFactory) -> Course:
-    return make_course(tmp_path_factory.mktemp("orchard") / "course")
+from tests.classroom import graded, mark
 
 
 def test_mistakes_are_counted_by_name_and_the_most_common_is_first(course: Course):

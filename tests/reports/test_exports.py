@@ -25,14 +25,9 @@ from autograder.release.gradescope.package import write_autograder_zip
 from autograder.release.gradescope.results import failure, results
 from autograder.release.gradescope.run import main as grade_in_gradescope
 from autograder.reports.exports import alike_for_canvas, write_canvas, write_moodle, write_plain
-from tests.classroom import RIGHT, START, all_marks, graded, hostile_mark, make_course, notebook
+from tests.classroom import RIGHT, START, all_marks, graded, hostile_mark, notebook
 
 FORMULA = '=HYPERLINK("http://example.org")'
-
-
-@pytest.fixture(scope="module")
-def course(tmp_path_factory: pytest.TempPathFactory) -> Course:
-    return make_course(tmp_path_factory.mktemp("orchard") / "course")
 
 
 @pytest.fixture

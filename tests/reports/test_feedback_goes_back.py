@@ -29,12 +29,7 @@ from autograder.intake.submissions import Submission
 from autograder.reports.html_page import page
 from autograder.reports.returning import Page, canvas_files, messages, moodle_files, plain_files
 from autograder.reports.returning.mail import MailError, as_parcel, send
-from tests.classroom import all_marks, make_course
-
-
-@pytest.fixture(scope="module")
-def course(tmp_path_factory: pytest.TempPathFactory) -> Course:
-    return make_course(tmp_path_factory.mktemp("orchard") / "course")
+from tests.classroom import all_marks
 
 
 def feedback(key: str, origin: Origin, *people: Person) -> Page:

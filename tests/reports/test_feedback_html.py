@@ -15,14 +15,9 @@ from autograder.marking import Mark
 from autograder.marking.marker import Marker
 from autograder.reports.feedback_html import Feedback, feedback_html
 from autograder.reports.pictures import Pictures, draw
-from tests.classroom import all_marks, graded, hostile_mark, make_course, mark
+from tests.classroom import all_marks, graded, hostile_mark, mark
 
 REPOSITORY = Path(__file__).parents[2]
-
-
-@pytest.fixture(scope="module")
-def course(tmp_path_factory: pytest.TempPathFactory) -> Course:
-    return make_course(tmp_path_factory.mktemp("orchard") / "course")
 
 
 def page_of(course: Course, *marks: Mark, explanations: bool = False, **fields: object) -> str:

@@ -9,19 +9,7 @@ from autograder.course import Course
 from autograder.gradebook import Record
 from autograder.reports.correlations import FEWEST, Together
 from autograder.reports.question_statistics import question_statistics
-from tests.classroom import all_marks, graded, make_course, mark
-
-
-@pytest.fixture(scope="module")
-def course(tmp_path_factory: pytest.TempPathFactory) -> Course:
-    return make_course(tmp_path_factory.mktemp("orchard") / "course")
-
-
-def class_of(*credits: tuple[float, float, float, float]) -> list[Record]:
-    return [
-        Record(graded(f"student {number:02}", *all_marks(row)), 1, 1)
-        for number, row in enumerate(credits)
-    ]
+from tests.classroom import class_of, graded, mark
 
 
 def test_difficulty_is_the_mean_share_among_those_who_tried(course: Course):

@@ -5,7 +5,6 @@ from __future__ import annotations
 import io
 from pathlib import Path
 
-import pytest
 from rich.console import Console
 
 from autograder.course import Course
@@ -13,14 +12,9 @@ from autograder.gradebook import Note, Override, Record
 from autograder.gradebook.changes import Change, changes_of
 from autograder.reports.terminal import print_changes, print_table, warn
 from autograder.reports.terminal_student import print_record
-from tests.classroom import all_marks, graded, hostile_mark, make_course, mark
+from tests.classroom import all_marks, graded, hostile_mark, mark
 
 HOSTILE = "\x1b[2J\x1b]0;owned\x07[bold]\x9b31m\u202e\ud800\r\nadmin: all right"
-
-
-@pytest.fixture(scope="module")
-def course(tmp_path_factory: pytest.TempPathFactory) -> Course:
-    return make_course(tmp_path_factory.mktemp("orchard") / "course")
 
 
 def hostile_record() -> Record:

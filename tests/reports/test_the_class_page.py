@@ -5,26 +5,12 @@ from __future__ import annotations
 import csv
 from pathlib import Path
 
-import pytest
-
 from autograder.course import Course
 from autograder.gradebook import Record
 from autograder.reports.class_csv import write_class_csv
 from autograder.reports.class_html import class_html
 from autograder.reports.svg_charts import ticks
-from tests.classroom import all_marks, graded, make_course, mark
-
-
-@pytest.fixture(scope="module")
-def course(tmp_path_factory: pytest.TempPathFactory) -> Course:
-    return make_course(tmp_path_factory.mktemp("orchard") / "course")
-
-
-def class_of(*credits: tuple[float, float, float, float]) -> list[Record]:
-    return [
-        Record(graded(f"student {number:02}", *all_marks(row)), 1, 1)
-        for number, row in enumerate(credits)
-    ]
+from tests.classroom import class_of, graded, mark
 
 
 def test_the_class_page_can_be_written_for_any_class(course: Course):

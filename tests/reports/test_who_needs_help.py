@@ -2,24 +2,10 @@
 
 from __future__ import annotations
 
-import pytest
-
 from autograder.course import Course
 from autograder.gradebook import Record
 from autograder.reports.who_needs_help import who_needs_help
-from tests.classroom import all_marks, graded, make_course, mark
-
-
-@pytest.fixture(scope="module")
-def course(tmp_path_factory: pytest.TempPathFactory) -> Course:
-    return make_course(tmp_path_factory.mktemp("orchard") / "course")
-
-
-def class_of(*credits: tuple[float, float, float, float]) -> list[Record]:
-    return [
-        Record(graded(f"student {number:02}", *all_marks(row)), 1, 1)
-        for number, row in enumerate(credits)
-    ]
+from tests.classroom import class_of, graded, mark
 
 
 def test_who_needs_help_are_the_lowest_and_those_whose_work_does_not_run(course: Course):

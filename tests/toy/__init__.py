@@ -20,6 +20,7 @@ What is in it, and what a test can count on:
 ``toy.add(...)``               a question of a test's own, with its key and its reference
 ``toy.set(...)``               a setting
 ``toy.replace(...)``           one place changed, to see who notices
+``refusal(toy)``               the one sentence with which it is refused
 ``market.make_market(root)``   the kitchen with three questions of each student's own numbers
 
 The kitchen's reference is ``solutions.kitchen``: the fixture ``toy`` takes the real course's
@@ -35,12 +36,15 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+import pytest
+
 from autograder.authoring.build import (
     build_student_notebooks,
     unexecuted_solved_notebooks,
     write,
 )
 from autograder.course import Course, load_course
+from autograder.errors import CourseError
 
 COURSE = Path(__file__).parent / "course"
 REFERENCES = {"kitchen": "solutions/kitchen.py", "orchard": "orchard_reference.py"}
@@ -120,3 +124,13 @@ def files_of(*chapters: str) -> list[str]:
 def text_of(file: str) -> str:
     """A file of the course as it stands here, for tests that read its tables alone."""
     return (COURSE / file).read_text(encoding="utf-8")
+
+
+def refusal(course: Toy) -> str:
+    """The one sentence with which a broken course is refused."""
+    with pytest.raises(CourseError) as refused:
+        assert course.load().key
+    sentence = str(refused.value)
+    assert "\n" not in sentence
+    assert sentence.endswith(".")
+    return sentence
