@@ -15,7 +15,6 @@ from autograder.exchange.why_unusable import REASONS
 
 _CLASS_NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]{0,60}")
 _MAX_TEXT = 200
-_OUTCOMES = ("value", "unusable", "raised")
 _MAX_TABLE = 2**24  # characters of a list as an array of texts
 NOT_PLAIN: Evaluation = {"state": "unusable", "reason": "not plain"}
 

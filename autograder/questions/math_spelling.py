@@ -22,7 +22,6 @@ _SIGNS = {
     **dict.fromkeys("[{", "("),
     **dict.fromkeys("]}", ")"),
 }
-_OPENING = {"(": ")", "[": "]", "{": "}"}
 # What is not read, and what to write for it.
 _INSTEAD = {
     "|": N_("abs(x) for |x|"),

@@ -5,16 +5,9 @@ from __future__ import annotations
 import pytest
 
 from autograder.authoring.proof_for_students import prove_for_students
-from tests.toy import Toy
 
 QUESTIONS = "notebooks/questions/kitchen.toml"
 ANSWERS = "solutions/answers/kitchen.toml"
-
-
-def line_of(course: Toy, file: str, text: str) -> int:
-    before, found, _ = (course.root / file).read_text(encoding="utf-8").partition(text)
-    assert found
-    return before.count("\n") + 1
 
 
 # What stands there, what is put there; the file and the text whose line is told; what is said.
@@ -63,7 +56,7 @@ def test_a_hint_or_feedback_that_tells_is_named_with_its_line(toy, poor: str):
     file, old, new, where, text, said = POOR[poor]
     toy.replace(file, old, new)
     (found,) = prove_for_students(toy.load())
-    assert said.format(file=where, line=line_of(toy, where, text)) in found
+    assert said.format(file=where, line=toy.line_of(where, text)) in found
     assert found.endswith(".")
 
 

@@ -16,12 +16,6 @@ ANSWERS = "solutions/answers/kitchen.toml"
 CASES = "solutions/kitchen.py"
 
 
-def line_of(course: Toy, file: str, text: str) -> int:
-    before, found, _ = (course.root / file).read_text(encoding="utf-8").partition(text)
-    assert found
-    return before.count("\n") + 1
-
-
 def the_problem(course: Toy) -> str:
     (found,) = prove_course(course.root, mutants=False)
     return found
@@ -31,9 +25,9 @@ def test_a_function_without_a_public_case_is_named_with_its_cases(toy):
     toy.replace(CASES, ', "public": True', "")
     said = the_problem(toy)
     assert said.startswith("Q1.5: no case of 'solutions.kitchen:mean_weight_cases'")
-    assert f"(solutions/kitchen.py, line {line_of(toy, CASES, 'def mean_weight_cases')})" in said
+    assert f"(solutions/kitchen.py, line {toy.line_of(CASES, 'def mean_weight_cases')})" in said
     assert 'write "public": True into one' in said
-    assert f"({ANSWERS}, line {line_of(toy, ANSWERS, 'cases = ')})" in said
+    assert f"({ANSWERS}, line {toy.line_of(ANSWERS, 'cases = ')})" in said
 
 
 def test_cases_that_nobody_can_read_are_named_all_the_same(toy):
@@ -69,7 +63,7 @@ def test_what_serves_no_student_is_named_with_its_line(toy, poor: str):
     file, old, new, where, text, said = POOR[poor]
     toy.replace(file, old, new)
     (found,) = prove_for_students(toy.load())
-    assert said.format(file=where, line=line_of(toy, where, text)) in found
+    assert said.format(file=where, line=toy.line_of(where, text)) in found
     assert found.endswith(".")
 
 

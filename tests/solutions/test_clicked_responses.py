@@ -160,13 +160,6 @@ def test_calls_with_any_one_wrong_or_open_never_earn_everything(real_course, id)
 
 
 @pytest.mark.parametrize("id", TRUTHS)
-def test_one_word_for_all_never_earns_everything(real_course, id):
-    for course, truths in drawn(real_course, id):
-        for word in (True, False):
-            assert 0 < max(credits(course, id, [word] * len(truths))) < 1
-
-
-@pytest.mark.parametrize("id", TRUTHS)
 def test_what_is_no_list_of_truth_values_is_refused(real_course, id):
     *_, (course, truths) = drawn(real_course, id)
     for response in (

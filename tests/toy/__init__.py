@@ -20,6 +20,7 @@ What is in it, and what a test can count on:
 ``toy.add(...)``               a question of a test's own, with its key and its reference
 ``toy.set(...)``               a setting
 ``toy.replace(...)``           one place changed, to see who notices
+``toy.line_of(...)``           the line that should be named
 ``refusal(toy)``               the one sentence with which it is refused
 ``market.make_market(root)``   the kitchen with three questions of each student's own numbers
 
@@ -65,6 +66,12 @@ class Toy:
         text = path.read_text(encoding="utf-8")
         assert text.count(old) == 1, f"{old!r} stands {text.count(old)} times in {file}"
         path.write_text(text.replace(old, new), encoding="utf-8")
+
+    def line_of(self, file: str, text: str) -> int:
+        """The line of a file in which a text begins that must be there."""
+        before, found, _ = (self.root / file).read_text(encoding="utf-8").partition(text)
+        assert found, f"{text!r} does not stand in {file}"
+        return before.count("\n") + 1
 
     def append(self, file: str, text: str) -> None:
         with (self.root / file).open("a", encoding="utf-8") as stream:

@@ -61,8 +61,6 @@ _ONCE_MORE = {
     "divided": N_("it was divided by {symbol} once more than asked for"),
 }
 
-Formula = Callable[[str], np.ndarray | None]  # its values, if it has any
-
 
 def diagnose_expression(
     question: Expression,

@@ -41,7 +41,6 @@ _FUNCTIONS = frozenset(
         "arcsin",
         "arctan",
         "arctan2",
-        "log1p",
         "power",
     ]
 )
