@@ -11,7 +11,6 @@ import time
 from collections.abc import Callable, Collection
 from contextlib import ExitStack
 from dataclasses import dataclass, replace
-from typing import Any
 
 from distributed import Client, Future, KilledWorker, as_completed
 
@@ -160,24 +159,31 @@ class DaskCluster:
         return ("grade", student, digest, self._marker.seed, sent.attempt)
 
     def _take_ready(self) -> list[tuple[Future, object]]:
-        ready: list[tuple[Future, object]] = (
-            self._completed.next_batch(block=False) if self._sent else []
-        )
-        return [(future, result) for future, result in ready if future.key in self._sent]
+        """What came to an end since the last call: each future once, with what Dask fetched."""
+        if not self._sent:
+            return []
+        came: list[tuple[Future, object]] = self._completed.next_batch(block=False)
+        ready = {future.key: (future, result) for future, result in came}
+        # What comes to a bad end while its result is fetched is never said to be completed.
+        for _, future in self._sent.values():
+            if future.status in ("error", "cancelled"):
+                ready.setdefault(future.key, (future, None))
+        return [ended for key, ended in ready.items() if key in self._sent]
 
-    def _understand(self, future: Future, result: Any) -> list[Graded]:
+    def _understand(self, future: Future, result: object) -> list[Graded]:
         """What came back for a task; nothing if it is sent once more."""
         sent, _ = self._sent.pop(future.key)
         self._bytes -= len(sent.data)
-        status = future.status
+        error = self._error_of(future)
         future.release()
-        if status == "finished":
+        # Whatever the future says: once its worker has died, that the result is lost, though it
+        # was fetched before.
+        if isinstance(result, bytes):
             came = unpack_result(result, sent.task.submission)
             if isinstance(came, Graded):
                 return [came]
             return self._worker_is_broken(sent)
-        if status == "error":
-            error = result[1]
+        if error is not None:
             if isinstance(error, KilledWorker):
                 return self._worker_died(sent, error)
             raise ClusterError(
@@ -186,6 +192,13 @@ class DaskCluster:
                 "workers' output, then run this command again to go on."
             ) from error
         raise gone(self._address)
+
+    def _error_of(self, future: Future) -> BaseException | None:
+        if future.status != "error":
+            return None
+        with gone_in_one_sentence(self._address):
+            error: BaseException = future.exception()
+        return error
 
     def _worker_is_broken(self, sent: _Sent) -> list[Graded]:
         assert self._crew is not None
