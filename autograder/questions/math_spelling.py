@@ -54,7 +54,7 @@ _CONSTANTS = {"Pi": "pi", "PI": "pi"}
 _INVERSE = {"sin": "asin", "cos": "acos", "tan": "atan"}
 _MODULES = ("np", "numpy", "sp", "sympy", "math", "scipy.special")
 _TOKEN = re.compile(
-    r"\s*(?:(?P<number>\ue000[^\ue001]*\ue001|(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)|(?P<name>[^\W\d]\w*[\u0300-\u036f]*)"
+    r"\s*(?:(?P<digits>\ue000[^\ue001]*\ue001|(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)|(?P<name>[^\W\d]\w*[\u0300-\u036f]*)"
     r"|(?P<sign>\*\*|//|<=|>=|->|\S[\u0300-\u036f]*))"
 )
 _OPERATORS = ("+", "-", "*", "/", "**", "^")
@@ -226,7 +226,7 @@ def _products(tokens: list[_Token], functions: Collection[str]) -> str:
                 part, one = f"/ {made[-1]} {after}", f"/ {made[-1]}*{after}"
                 other = f"/ ({made[-1]}*{after})"
                 raise UsageError(_(TWO_MEANINGS).format(part=part, one=one, other=other))
-            if token.kind == "number":  # perhaps a power that has lost its height
+            if token.kind == "digits":  # perhaps a power that has lost its height
                 one, other = f"{made[-1]}*{token.text}", f"{made[-1]}**{token.text}"
                 part = f"{made[-1]} {token.text}"
                 raise UsageError(_(TWO_MEANINGS).format(part=part, one=one, other=other))
