@@ -5,7 +5,8 @@ Who starts whom, from the trusted side to the student's::
     Sandbox          (launcher.py)   one for each worker of a run; asks ``tiers.py`` what works here
       Session        (session.py)    one notebook of one submission: runs it, evaluates responses
         Conversation (conversation.py)  questions to one child, each with a nonce and a time
-        Host         (host.py)       one process inside the isolation, used for many notebooks
+        Host         (host.py)       one process inside the isolation, used for many notebooks;
+                                     zygote_start.py starts it
     ----------------------------------------------------------------- bubblewrap, a user of its own
           zygote     (inside/zygote.py)          everything imported, no key; forks
     ----------------------------------------------------------------- Landlock, seccomp, limits

@@ -11,10 +11,11 @@ from autograder.course import Settings
 from autograder.exchange import wire
 from autograder.exchange.channel import Late
 from autograder.exchange.messages import Message
-from autograder.sandbox.host import Host, HostError
+from autograder.sandbox.host import Host
 from autograder.sandbox.machine_to_blame import Doubt
 from autograder.sandbox.notebook_limits import limits
 from autograder.sandbox.stop_errors import BY_THE_SYSTEM, Stopped
+from autograder.sandbox.zygote_start import HostError
 
 GRACE = 1.0  # seconds between the child's own limit and the one kept here
 # What may come from one process without answering anything before its channel counts as broken:

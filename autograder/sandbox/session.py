@@ -13,9 +13,10 @@ from autograder.exchange.messages import Evaluation, Message, Report
 from autograder.exchange.replies import clean_evaluation, clean_report
 from autograder.language import N_
 from autograder.sandbox.conversation import GRACE, Conversation
-from autograder.sandbox.host import Host, HostError
+from autograder.sandbox.host import Host
 from autograder.sandbox.machine_to_blame import Doubt
 from autograder.sandbox.stop_errors import Stopped, out_of_time, stop_by
+from autograder.sandbox.zygote_start import HostError
 
 PATIENCE = 20  # times a limit: how long to wait for a child that is given no processor
 MAX_RESTARTS = 3
