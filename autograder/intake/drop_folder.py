@@ -12,6 +12,7 @@ import io
 import os
 import re
 import stat
+import unicodedata
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from datetime import UTC, datetime
@@ -78,7 +79,8 @@ def collect(folder: Path, most: int, trust_names: bool = False) -> Collected:
 
 def name_in_files(login: str) -> str:
     """A login as the name of a file holds it: different logins have different names."""
-    safe = re.sub(r"[^\w.@+-]", lambda sign: quote(sign[0], safe=""), login)
+    login = unicodedata.normalize("NFC", login)
+    safe = re.sub(r"[^\w.@+-]", lambda sign: quote(sign[0], "", errors="replace"), login)
     return safe.replace(".", "%2E", 1) if safe.startswith(".") else safe
 
 
@@ -99,6 +101,8 @@ def _take(path: Path, most: int, trust_names: bool) -> Dropped:
     if path.suffix != ".zip" or len(content) > most:
         raise UsageError("it was not made by submit()")
     login = path.stem.rsplit("_", 2)[0]
+    if not login or name_in_files(unquote(login)) != login:
+        raise UsageError("it was not made by submit()")
     owner = _owner(found.st_uid)
     if owner is not None and owner not in _accounts(login) and not trust_names:
         raise UsageError(

@@ -20,7 +20,7 @@ from autograder.cli import main
 from autograder.errors import AutograderError, UsageError
 from autograder.intake import drop_folder
 from autograder.intake.drop_folder import collect, name_in_files
-from autograder.student.put_into_drop_folder import drop
+from autograder.student.put_into_drop_folder import drop, user_name
 
 ADA, BOB, STUDENTS, STAFF = 64001, 64002, 64100, 64200
 MB = 2**20
@@ -158,6 +158,23 @@ def test_neither_a_name_nor_a_time_can_be_forged(open_to_all: Path):
         "it is a link",
         "it is not a file",
     ]
+
+
+@pytest.mark.parametrize(
+    "name", [b"bad\xff_1_2.zip", b"a\nb_1_2.zip", b"_1_2.zip", b'a"b_1_2.zip', b"%ff_1_2.zip"]
+)
+@pytest.mark.parametrize("trust_names", [True, False])
+def test_a_name_that_submit_never_gives_stops_nobody(
+    tmp_path: Path, name: bytes, trust_names: bool, capsys: pytest.CaptureFixture[str]
+):
+    taking, out = tmp_path / "drop", tmp_path / "class"
+    taking.mkdir()
+    (taking / os.fsdecode(name)).write_bytes(b"x")
+    (taking / f"{user_name()}_1_2.zip").write_bytes(b"x")
+    trusting = ["--trust-names"] if trust_names else []
+    assert main(["collect", str(taking), "--out", str(out), *trusting]) == 1
+    assert "not made by submit()" in capsys.readouterr().err
+    assert (out / f"{user_name()}.zip").exists()
 
 
 def test_a_file_that_is_too_large_is_left_and_said(tmp_path: Path):
