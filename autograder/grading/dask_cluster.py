@@ -20,7 +20,8 @@ from autograder.grading.dask_address import ClusterAddress
 from autograder.grading.dask_connection import ClusterError, connect, gone, gone_in_one_sentence
 from autograder.grading.dask_crew import Crew
 from autograder.grading.dask_memory import forget_keys
-from autograder.grading.dask_worker import Wanted, grade_here, software
+from autograder.grading.dask_requirements import Wanted, software
+from autograder.grading.dask_worker import grade_here
 from autograder.grading.graded_submission import Graded, same_mark_for_all
 from autograder.grading.spread import Task
 from autograder.marking.marker import Marker

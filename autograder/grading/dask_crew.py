@@ -13,7 +13,8 @@ from dask.utils import parse_timedelta
 from distributed import Client
 
 from autograder.grading.dask_connection import ClusterError
-from autograder.grading.dask_worker import Wanted, prepare, proof, rest
+from autograder.grading.dask_requirements import Wanted
+from autograder.grading.dask_worker import prepare, proof, rest
 
 FIRST_WORKER_SECONDS = 120.0
 ALONE_SECONDS = 300.0  # how long a run waits for a worker after the last has left

@@ -7,18 +7,22 @@ says; when, is the time of its last change as the system keeps it, which no stud
 from __future__ import annotations
 
 import csv
+import hashlib
 import io
 import os
 import re
 import stat
+import unicodedata
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from pathlib import Path
+from urllib.parse import quote, unquote
 
 from autograder.errors import UsageError
 
 TIMES = "times.csv"
+_LONGEST_ACCOUNT = 26  # characters, as The Littlest JupyterHub has it
 
 
 @dataclass(frozen=True)
@@ -74,8 +78,10 @@ def collect(folder: Path, most: int, trust_names: bool = False) -> Collected:
 
 
 def name_in_files(login: str) -> str:
-    """A login as the name of a file holds it, without the sign that parts the name."""
-    return re.sub(r"[^\w.@-]|_", "-", login)
+    """A login as the name of a file holds it: different logins have different names."""
+    login = unicodedata.normalize("NFC", login)
+    safe = re.sub(r"[^\w.@+-]", lambda sign: quote(sign[0], "", errors="replace"), login)
+    return safe.replace(".", "%2E", 1) if safe.startswith(".") else safe
 
 
 def _take(path: Path, most: int, trust_names: bool) -> Dropped:
@@ -94,14 +100,27 @@ def _take(path: Path, most: int, trust_names: bool) -> Dropped:
         content = file.read(most + 1)
     if path.suffix != ".zip" or len(content) > most:
         raise UsageError("it was not made by submit()")
-    login = path.stem.split("_")[0]
+    login = path.stem.rsplit("_", 2)[0]
+    if not login or name_in_files(unquote(login)) != login:
+        raise UsageError("it was not made by submit()")
     owner = _owner(found.st_uid)
-    if owner is not None and owner != login and not trust_names:
+    if owner is not None and owner not in _accounts(login) and not trust_names:
         raise UsageError(
             f"it is called {login}'s and belongs to {owner}; if your hub runs everybody as "
             f"{owner}, collect with --trust-names"
         )
     return Dropped(login, path.name, content, datetime.fromtimestamp(found.st_ctime, UTC))
+
+
+def _accounts(login: str) -> tuple[str, str]:
+    """The system's accounts that a login may have: its own, or the one of a hub that makes them.
+
+    The Littlest JupyterHub calls them so, with the beginning and a hash of one that is long.
+    """
+    made = f"jupyter-{unquote(login)}"
+    if len(made) >= _LONGEST_ACCOUNT:
+        made = f"{made[:_LONGEST_ACCOUNT]}-{hashlib.sha256(made.encode()).hexdigest()[:5]}"
+    return login, name_in_files(made)
 
 
 def _owner(user: int) -> str | None:

@@ -1,27 +1,23 @@
 """What people type, in the spelling that the reader of formulas knows.
 
-``N(N-1)/2``, ``2 sin²(α)``, ``499 500`` and ``18 %`` say plainly what is meant, so they are read;
+``N(N-1)/2``, ``2 sin²(α)``, ``0,18`` and ``18 %`` say plainly what is meant, so they are read;
 ``1/2x`` and ``1,500`` do not, so they are refused with the spellings that would be plain.
 """
 
 from __future__ import annotations
 
 import re
-import unicodedata
-from collections.abc import Collection
+from collections.abc import Callable, Collection
 from typing import NamedTuple
 
 from autograder.errors import UsageError
 from autograder.language import N_, _
+from autograder.questions.typed_characters import ONE_NUMBER, TWO_MEANINGS, plain
+from autograder.questions.typed_digits import numbers_in_full
+from autograder.questions.typed_latex import without_latex
 
-_SUPERSCRIPTS = dict(zip("⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁽⁾", "0123456789+-()", strict=True))
-_SIGNS = {
-    **dict.fromkeys("⋅·×∗✕✖•∙", "*"),
-    **dict.fromkeys("÷∕⁄", "/"),
-    **dict.fromkeys("–−—‒‐‑﹣", "-"),
-    **dict.fromkeys("[{", "("),
-    **dict.fromkeys("]}", ")"),
-}
+CheckName = Callable[[str], object]  # raises a UsageError for a name that means nothing here
+
 # What is not read, and what to write for it.
 _INSTEAD = {
     "|": N_("abs(x) for |x|"),
@@ -31,33 +27,41 @@ _INSTEAD = {
     "∞": N_("a finite number"),
     "∑": N_("the sum itself"),
     "∫": N_("the integral itself"),
-    "≈": N_("only the value"),
-    "≤": N_("only the value"),
-    "≥": N_("only the value"),
-    "€": N_("only the number, without a unit"),
-    "$": N_("only the number, without a unit"),
+    **dict.fromkeys("≈~≤≥<>?…", N_("only the value")),
+    **dict.fromkeys("→⇒", N_("only the result")),
+    **dict.fromkeys("€$", N_("only the number, without a unit")),
+    ".": N_("a point only between digits, and * for a product"),
     "°": N_("the angle in radians, such as 30*pi/180"),
     "±": N_("one of the two"),
+    **dict.fromkeys("∛∜", N_("x**(1/3) for a cube root")),
+    **dict.fromkeys("'\"", N_("the formula without quotes and primes")),
 }
-_GREEK = {
-    chr(code): unicodedata.name(chr(code)).rpartition(" ")[2].lower()
-    for code in (*range(0x3B1, 0x3C2), *range(0x3C3, 0x3CA))
-} | {"λ": "lambda_", "ϕ": "phi", "ϑ": "theta", "ϵ": "epsilon", "Σ": "Sigma", "Δ": "Delta"}
+_INSTEAD_OF_WORDS = {
+    **dict.fromkeys(["choose", "over", "über"], N_("the product, or comb(n, k)")),
+    **dict.fromkeys(["squared", "hoch"], N_("x**2 for a power")),
+    **dict.fromkeys(
+        ["degrees", "degree", "deg", "Grad"], N_("the angle in radians, such as 30*pi/180")
+    ),
+    **dict.fromkeys(["or", "oder", "and", "und", "to", "bis"], N_("only the value")),
+}
 _SAME = {
     "arcsin": "asin", "arccos": "acos", "arctan": "atan", "arctg": "atan", "arctan2": "atan2",
     "ln": "log", "tg": "tan", "lb": "log2", "Abs": "abs", "absolute": "abs", "fabs": "abs",
     "wurzel": "sqrt", "ceiling": "ceil", "binom": "comb", "binomial": "comb", "nCr": "comb",
+    "C": "comb", "power": "pow", "sgn": "sign", "lg": "log10", "log_10": "log10", "log_2": "log2",
 }  # fmt: skip
+_CONSTANTS = {"Pi": "pi", "PI": "pi"}
 _INVERSE = {"sin": "asin", "cos": "acos", "tan": "atan"}
 _MODULES = ("np", "numpy", "sp", "sympy", "math", "scipy.special")
-_SPACE = "[ \u00a0\u2007\u2009\u202f]"
 _TOKEN = re.compile(
-    r"\s*(?:(?P<number>(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)|(?P<name>[^\W\d]\w*)|(?P<sign>\*\*|\S))"
+    r"\s*(?:(?P<digits>\ue000[^\ue001]*\ue001|(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)|(?P<name>[^\W\d]\w*[\u0300-\u036f]*)"
+    r"|(?P<sign>\*\*|//|<=|>=|->|\S[\u0300-\u036f]*))"
 )
+_OPERATORS = ("+", "-", "*", "/", "**", "^")
 
 _MODULE = rf"(?<![\w.])(?:{'|'.join(map(re.escape, _MODULES))})\.(?=[^\W\d])"
-# A string, an assignment, an attribute, an index: Python, and no mathematics.
-_CODE = re.compile(r"[=\"]|\blambda\b|__|\]\[|(?<!\d)'|'(?!\d{3})|[^\W\d]\w*\.[^\W\d]")
+# An assignment, an attribute, an index: Python, and no mathematics.
+_CODE = re.compile(r"=|\blambda\b|__|\]\[|[^\W\d]\w*\.[^\W\d]")
 
 
 class _Token(NamedTuple):
@@ -70,83 +74,139 @@ def is_code(text: str) -> bool:
     return bool(_CODE.search(re.sub(_MODULE, "", text)))
 
 
-def spelt(text: str, functions: Collection[str]) -> str:
+def spelt(text: str, functions: Collection[str], check_name: CheckName) -> str:
     """The text as arithmetic with ``*`` for every product, of the functions' own names.
 
     What is neither plain nor refused here is left to the parser.
 
     Raises:
-        UsageError: if it has two meanings, or a sign that is not read; the sentence says what to
-            write.
+        UsageError: if it has two meanings, or a sign or name that is not known; the sentence says
+            what to write.
     """
-    text = _characters(text)
-    text = _numbers(text)
-    for sign, instead in _INSTEAD.items():
-        if sign in text:
-            sentence = _("“{sign}” is not understood here; write {instead}.")
-            raise UsageError(sentence.format(sign=sign, instead=_(instead)))
-    return _products(_tokens(text), functions)
-
-
-def _characters(text: str) -> str:
-    """One character for each meaning: no superscripts, fractions, wide digits, Greek letters."""
-    inside = "".join(_SUPERSCRIPTS)
-    text = re.sub(
-        f"[{re.escape(inside)}]+",
-        lambda run: "**(" + "".join(_SUPERSCRIPTS[c] for c in run[0]) + ")",
-        text,
-    )
-    made = []
-    for at, sign in enumerate(text):
-        folded = unicodedata.normalize("NFKC", sign)
-        if "⁄" in folded and len(folded) > 1:  # one half, three quarters
-            mixed = at > 0 and text[at - 1].isdigit()
-            made.append(f"{'+' if mixed else ''}({folded.replace('⁄', '/')})")
-            if mixed:  # 1½ is one and a half
-                start = len(made) - 2
-                while start > 0 and made[start - 1].isdigit():
-                    start -= 1
-                made[start:] = ["(", *made[start:], ")"]
-        elif sign in _GREEK:
-            made.append(f" {_GREEK[sign]} ")
-        elif sign in _SIGNS:
-            made.append(_SIGNS[sign])
-        else:
-            made.append(_SIGNS.get(folded, folded) if sign.strip() else sign)
-    return "".join(made)
-
-
-def _numbers(text: str) -> str:
-    """Groups of thousands joined, percentages as fractions."""
-    grouped = rf"(?<![\d.,])\d{{1,3}}(?:(?:{_SPACE}|['’])\d{{3}})+(?![\d])"
-    text = re.sub(grouped, lambda found: re.sub(rf"{_SPACE}|['’]", "", found[0]), text)
-    if side := re.search(rf"\d{_SPACE}+\.?\d", text):
-        sentence = _("Two numbers stand side by side at “{part}”; write the sign between.")
-        raise UsageError(sentence.format(part=side[0]))
-    if "(" not in text:
-        if re.search(r"(?<![\d.,])\d{1,3}(,\d{3}){2,}(?![\d,])", text):
-            text = re.sub(r",(?=\d{3})", "", text)
-        elif found := re.search(r"(?<![\d.,])([1-9]\d{0,2}),(\d{3})(?![\d,.])", text):
-            whole, point = found[1] + found[2], f"{found[1]}.{found[2]}"
-            sentence = _("“{part}” has two meanings; write {one} or {other}.")
-            raise UsageError(sentence.format(part=found[0], one=whole, other=point))
-    percent = r"(?P<n>(?:\d+\.?\d*|\.\d+))\s*%(?=\s*(?:$|[-+)*/,]))"
-    text = re.sub(percent, r"(\g<n>/100)", text)
-    if "%" in text:
-        raise UsageError(_("“%” is understood only behind a number, such as 18 %; write 0.18."))
-    return text
+    text = numbers_in_full(plain(without_latex(text)))
+    if text.count("|") == 2:
+        text = text.replace("|", " abs(", 1).replace("|", ")")
+    text = re.sub(r"(?<=[\d)])(?<!\b0)\s*[xX]\s*(?=\d)", "*", text)  # 1000x999, but not 0x10
+    tokens = _known(_tokens(text), functions, check_name)
+    _check_order(tokens, functions)
+    powers = [_Token("sign", "**") if token.text == "^" else token for token in tokens]
+    return _products(powers, functions)
 
 
 def _tokens(text: str) -> list[_Token]:
-    text = text.replace("^", "**").replace("√", " sqrt ")
-    text = re.sub(_MODULE, "", text)
-    tokens = [
-        _Token(str(found.lastgroup), found[str(found.lastgroup)]) for found in _TOKEN.finditer(text)
-    ]
-    return [
-        _Token("name", _SAME[token.text]) if token.kind == "name" and token.text in _SAME else token
-        for token in tokens
-    ]
+    text = re.sub(_MODULE, "", text.replace("√", " sqrt "))
+    parts = ((str(part.lastgroup), part[str(part.lastgroup)]) for part in _TOKEN.finditer(text))
+    brackets = str.maketrans(dict(zip(ONE_NUMBER, "()", strict=True)))
+    return [_Token(kind, part.translate(brackets)) for kind, part in parts]
+
+
+def _instead_of(sign: str) -> str:
+    if sign in ("->", "//"):
+        return _("only the result") if sign == "->" else _("/ for a division")
+    common = N_("numbers and names with + - * / ** and round brackets")
+    return _(_INSTEAD.get(sign[0], common))
+
+
+def _not_understood(sign: str, instead: str) -> str:
+    sentence = _("“{sign}” is not understood here; write {instead}.")
+    return sentence.format(sign=sign, instead=instead)
+
+
+def _known(tokens: list[_Token], functions: Collection[str], check_name: CheckName) -> list[_Token]:
+    """The tokens with each name as it is known here, and an ``x`` between two factors as ``*``.
+
+    Raises:
+        UsageError: at the first name or sign that is not known.
+    """
+    read = {*_OPERATORS, "(", ")", ",", *("!" for name in functions if name == "factorial")}
+    made: list[_Token] = []
+    for at, token in enumerate(tokens):
+        if token.kind == "sign" and token.text not in read:
+            raise UsageError(_not_understood(token.text, _instead_of(token.text)))
+        if token.kind != "name":
+            made.append(token)
+            continue
+        calls = at + 1 < len(tokens) and tokens[at + 1].text == "("
+        name = _name(token.text, calls, functions, check_name)
+        between = bool(made) and made[-1].text not in ("(", ",", *_OPERATORS)
+        if name is None and token.text in "xX" and between and at + 1 < len(tokens):
+            made.append(_Token("sign", "*"))
+        else:
+            made.append(_Token("name", name or _unknown(token.text, calls, functions, check_name)))
+    return made
+
+
+def _name(text: str, calls: bool, functions: Collection[str], check_name: CheckName) -> str | None:
+    """A name as it is known, whatever its case where it is called; None if it is not."""
+    if text in functions:
+        return text
+    known = _is_known(text, check_name)
+    same = _SAME.get(text)
+    if same in functions and not known and (calls or text != "C"):
+        return same
+    lower = _SAME.get(text.lower(), text.lower())
+    if calls and not known and lower in functions:
+        return lower
+    if text in _CONSTANTS and not known:
+        text = _CONSTANTS[text]
+        known = _is_known(text, check_name)
+    return text if known else None
+
+
+def _is_known(name: str, check_name: CheckName) -> bool:
+    try:
+        check_name(name)
+    except UsageError:
+        return False
+    return True
+
+
+def _unknown(name: str, calls: bool, functions: Collection[str], check_name: CheckName) -> str:
+    if name in _INSTEAD_OF_WORDS:
+        raise UsageError(_not_understood(name, _(_INSTEAD_OF_WORDS[name])))
+    called = re.fullmatch(r"([a-z]+?)(\d+)", name)
+    if called and called[1] in functions:  # sin2α
+        one, other = f"{called[1]}({called[2]}*x)", f"{called[1]}(x)**{called[2]}"
+        raise UsageError(_(TWO_MEANINGS).format(part=name, one=one, other=other))
+    for function in functions:
+        rest = name.removeprefix(function)
+        if rest not in ("", name) and _is_known(rest, check_name):
+            sentence = _("Put the argument of {name} in brackets: {call}.")
+            raise UsageError(sentence.format(name=function, call=f"{function}({rest})"))
+    if calls and len(name) > 1 and functions:
+        sentence = _("{name} is not understood; use {functions}.")
+        raise UsageError(sentence.format(name=name, functions=", ".join(sorted(functions))))
+    check_name(name)
+    return name
+
+
+def _check_order(tokens: list[_Token], functions: Collection[str]) -> None:
+    """Refuse an operator or a bracket that lacks its left, its right or its other half."""
+    if not tokens:
+        raise UsageError(_("This is not finished: nothing is written yet."))
+    depth = 0
+    for before, token, after in zip(
+        [_Token("", ""), *tokens], tokens, [*tokens[1:], _Token("", "")], strict=False
+    ):
+        sign = token.text if token.kind == "sign" else ""
+        depth += (sign == "(") - (sign == ")")
+        if depth < 0:
+            raise UsageError(_("A bracket is missing: add “{sign}”.").format(sign="("))
+        needs_left = sign in ("!", ",", *_OPERATORS[2:])
+        if needs_left and before.text in ("", "(", ",", *_OPERATORS):
+            sentence = _("This is not finished: nothing stands before “{sign}”.")
+            raise UsageError(sentence.format(sign=sign))
+        if sign in (",", *_OPERATORS) and after.text in ("", ")"):
+            sentence = _("This is not finished: nothing follows “{sign}”.")
+            raise UsageError(sentence.format(sign=sign))
+        if sign == "(" and after.text == ")" and before.text not in functions:
+            raise UsageError(_("This is not finished: the brackets are empty."))
+        alone = after.text not in ("(", "^", "**") and after.kind in ("", "sign")
+        if token.kind == "name" and token.text in functions and alone:
+            sentence = _("Put the argument of {name} in brackets: {call}.")
+            raise UsageError(sentence.format(name=token.text, call=f"{token.text}(...)"))
+    if depth > 0:
+        raise UsageError(_("A bracket is missing: add “{sign}”.").format(sign=")"))
 
 
 def _products(tokens: list[_Token], functions: Collection[str]) -> str:
@@ -157,13 +217,19 @@ def _products(tokens: list[_Token], functions: Collection[str]) -> str:
     while at < len(tokens):
         token = tokens[at]
         calls = token.kind == "name" and token.text in functions
+        if made and token.text == "!":
+            made[-1], at = f"factorial({made[-1]})", at + 1
+            continue
         if made and _ends_a_factor(made[-1], functions) and _begins_a_factor(token):
             if divided:
-                sentence = _(
-                    "“{part}” has two meanings: put what you divide by in brackets, or write the "
-                    "sign between."
-                )
-                raise UsageError(sentence.format(part=f"/ {made[-1]}{token.text}"))
+                after = _shown(token, functions)
+                part, one = f"/ {made[-1]} {after}", f"/ {made[-1]}*{after}"
+                other = f"/ ({made[-1]}*{after})"
+                raise UsageError(_(TWO_MEANINGS).format(part=part, one=one, other=other))
+            if token.kind == "digits":  # perhaps a power that has lost its height
+                one, other = f"{made[-1]}*{token.text}", f"{made[-1]}**{token.text}"
+                part = f"{made[-1]} {token.text}"
+                raise UsageError(_(TWO_MEANINGS).format(part=part, one=one, other=other))
             made.append("*")
         if calls:
             text, at = _call(tokens, at, functions)
@@ -184,6 +250,13 @@ def _products(tokens: list[_Token], functions: Collection[str]) -> str:
     return " ".join(made)
 
 
+def _shown(token: _Token, functions: Collection[str]) -> str:
+    """A factor, in short."""
+    if token.text == "(":
+        return "(...)"
+    return f"{token.text}(...)" if token.text in functions else token.text
+
+
 def _ends_a_factor(text: str, functions: Collection[str]) -> bool:
     return text[-1] == ")" or (bool(re.match(r"[\w.]", text[-1])) and text not in functions)
 
@@ -199,7 +272,7 @@ def _bracket(tokens: list[_Token], at: int) -> tuple[list[_Token], int]:
         depth += (tokens[end].text == "(") - (tokens[end].text == ")")
         if depth == 0:
             return tokens[at + 1 : end], end + 1
-    raise UsageError(_("A bracket is missing."))
+    raise UsageError(_("A bracket is missing: add “{sign}”.").format(sign=")"))
 
 
 def _call(tokens: list[_Token], at: int, functions: Collection[str]) -> tuple[str, int]:
@@ -216,11 +289,15 @@ def _call(tokens: list[_Token], at: int, functions: Collection[str]) -> tuple[st
     if at < len(tokens) and tokens[at].text == "(":
         inside, at = _bracket(tokens, at)
         argument = _products(inside, functions)
-    elif at < len(tokens) and tokens[at].kind != "sign" and tokens[at].text not in functions:
+    elif at < len(tokens) and tokens[at].kind == "name" and tokens[at].text in functions:
+        argument, at = _call(tokens, at, functions)
+    elif at < len(tokens) and tokens[at].kind != "sign":
         argument, at = tokens[at].text, at + 1
-        if at < len(tokens) and _begins_a_factor(tokens[at]):
+        goes_on = at < len(tokens) and _begins_a_factor(tokens[at])
+        if goes_on and tokens[at].text not in functions:
+            goes_to = argument if tokens[at].text == "(" else f"{argument}*{tokens[at].text}"
             sentence = _("Where does {name} end? Put its argument in brackets: {call}.")
-            raise UsageError(sentence.format(name=name, call=f"{name}(...)"))
+            raise UsageError(sentence.format(name=name, call=f"{name}({goes_to})"))
     elif power:
         sentence = _("Put the argument of {name} in brackets: {call}.")
         raise UsageError(sentence.format(name=name, call=f"{name}(x)**{power}"))

@@ -12,7 +12,8 @@ from collections.abc import Callable, Collection, Mapping
 from autograder.errors import UsageError
 from autograder.language import _
 from autograder.questions.key_formulas import Term
-from autograder.questions.math_spelling import is_code, spelt
+from autograder.questions.math_spelling import CheckName, is_code, spelt
+from autograder.questions.typed_characters import bare
 
 MAX_LENGTH = 500
 MAX_BITS = 10_000
@@ -23,30 +24,30 @@ def assign_if_open(variable: str, value: str) -> str:
     return f"if globals().get({variable!r}, ...) is ...:\n    {variable} = {value}"
 
 
-def parse(text: str, functions: Collection[str] = ()) -> ast.expr:
+def parse(text: str, functions: Collection[str], check_name: CheckName) -> ast.expr:
     """The tree of a typed formula, in which these functions may be called.
 
     Raises:
         UsageError: if it is none; the sentence says why.
     """
-    text = text.strip()
+    text = bare(text)
     if len(text) > MAX_LENGTH:
         sentence = _("That is longer than {count} characters.")
         raise UsageError(sentence.format(count=MAX_LENGTH))
     if not is_code(text):
-        text = spelt(text, functions)
+        text = spelt(text, functions, check_name)
     try:
         tree = ast.parse(text, mode="eval").body
     except (SyntaxError, ValueError, RecursionError, MemoryError):
         raise UsageError(_why_no_formula(text)) from None
     if isinstance(tree, ast.Tuple):
-        raise UsageError(_("Write one value, with a point for the decimals: 0.5, not 0,5."))
+        raise UsageError(_("Write one value: “,” makes several of it."))
     return tree
 
 
 def _why_no_formula(text: str) -> str:
-    if text.count("(") != text.count(")"):
-        return _("A bracket is missing.")
+    if (missing := text.count("(") - text.count(")")) != 0:
+        return _("A bracket is missing: add “{sign}”.").format(sign=")" if missing > 0 else "(")
     if "=" in text:
         return _("Give only the right-hand side, without an equals sign.")
     return _(
@@ -54,13 +55,22 @@ def _why_no_formula(text: str) -> str:
     )
 
 
-def _power(base: Term, exponent: Term) -> object:
+def power(base: Term, exponent: Term) -> Term:
     """A power, unless it would keep the computer busy for longer than anybody waits."""
     if isinstance(exponent, int | float) or getattr(exponent, "is_number", False):
         size = int(base).bit_length() if getattr(base, "is_integer", isinstance(base, int)) else 1
         if abs(exponent) * max(size, 1) > MAX_BITS:
             raise UsageError(_("That power is too large."))
     return base**exponent
+
+
+def _called(name: str, function: Callable[..., object], arguments: list[Term]) -> Term:
+    try:
+        return function(*arguments)
+    except TypeError:
+        sentence = _("{name} takes other arguments; write {call}.")
+        call = f"{name}(y, x)" if name in ("atan2", "comb", "perm", "pow") else f"{name}(x)"
+        raise UsageError(sentence.format(name=name, call=call)) from None
 
 
 def value_of(
@@ -94,7 +104,7 @@ def value_of(
             case ast.BinOp(left=left, op=ast.Div(), right=right):
                 return visit(left) / visit(right)
             case ast.BinOp(left=left, op=ast.Pow(), right=right):
-                return _power(visit(left), visit(right))
+                return power(visit(left), visit(right))
             case ast.Call(func=function, args=arguments, keywords=[]):
                 called = ast.unparse(function).removeprefix("sp.").removeprefix("math.")
                 if called not in functions:
@@ -102,7 +112,7 @@ def value_of(
                         name=ast.unparse(function), functions=", ".join(functions)
                     )
                     raise UsageError(sentence)
-                return functions[called](*(visit(argument) for argument in arguments))
+                return _called(called, functions[called], [visit(one) for one in arguments])
             case ast.Attribute(value=ast.Name(id="sp" | "sympy" | "np" | "math"), attr=attribute):
                 return name(attribute)
         sentence = _("{part} is not understood in a formula.")

@@ -9,7 +9,7 @@ from contextlib import suppress
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from autograder.sandbox.stale_bytecode import stale_modules
+from autograder.sandbox.stale_bytecode import are_known, keep_imported, stale_modules
 
 _PACKAGE = Path(__file__).parents[1]
 _SECONDS = 120.0  # to import and compile everything
@@ -28,16 +28,17 @@ def compile_libraries() -> None:
 
     The sandbox writes nothing, so without this every run would compile sympy anew.
     """
-    if font_folder() is not None and next(stale_modules(), None) is None:
+    if font_folder() is not None and are_known() and next(stale_modules(), None) is None:
         return
     environment = {k: v for k, v in os.environ.items() if k != "PYTHONDONTWRITEBYTECODE"}
     environment["PYTHONPATH"] = str(_PACKAGE.parent)
     with suppress(subprocess.TimeoutExpired, OSError), TemporaryDirectory() as responses:
         environment["AUTOGRADER_RESPONSES"] = responses
+        imported = Path(responses) / "imported.txt"
         subprocess.run(
             # This runs with the instructor's rights, so nothing may be imported from the current
             # folder, which may hold what students handed in.
-            [sys.executable, "-P", "-m", "autograder.sandbox.inside.warm_imports"],
+            [sys.executable, "-P", "-m", "autograder.sandbox.inside.warm_imports", str(imported)],
             cwd="/",
             env=environment,
             stdin=subprocess.DEVNULL,
@@ -46,3 +47,5 @@ def compile_libraries() -> None:
             timeout=_SECONDS,
             check=False,
         )
+        lines = imported.read_text(encoding="utf-8", errors="surrogateescape").splitlines()
+        keep_imported(map(Path, lines))

@@ -1,43 +1,30 @@
-"""Starts a zygote under one kind of isolation and talks to it; the trusted side of `zygote`."""
+"""One zygote in its isolation, asked from the trusted side: the counterpart of `zygote`."""
 
 from __future__ import annotations
 
 import errno
 import json
 import os
-import shutil
 import signal
 import socket
 import subprocess
-import sys
 import time
-from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
 from pathlib import Path
 
 from autograder.course import Settings
-from autograder.course.folders import VISIBLE_FILES
 from autograder.errors import AutograderError, MachineError, machine_error, short_of
 from autograder.exchange.channel import Channel
 from autograder.exchange.messages import Message
-from autograder.sandbox import bubblewrap, landlock, seccomp
-from autograder.sandbox.compiled_libraries import compile_libraries, font_folder
+from autograder.sandbox.compiled_libraries import compile_libraries
 from autograder.sandbox.control_group import ControlGroup
 from autograder.sandbox.own_folder import OwnFolder
 from autograder.sandbox.own_user import OwnIdentity
 from autograder.sandbox.staged_notebooks import stage
-from autograder.sandbox.student_environment import student_environment
+from autograder.sandbox.zygote_start import HostError, Place, start_beside, start_inside
 
-_SYSTEM_FILES = ("/etc/ld.so.cache", "/etc/localtime")
-_PACKAGE = Path(__file__).parents[1]
 _WARM_SECONDS = 120.0
 _ANSWER_SECONDS = 15.0
-# A sandbox ends with the thread that started it; this one lives as long as the process.
-_starter = ThreadPoolExecutor(1, "sandbox-starter")
-
-
-class HostError(AutograderError):
-    """A sandbox could not be started or does not answer; the sentence says why."""
 
 
 class Host:
@@ -56,14 +43,13 @@ class Host:
         self._identity = self._own_identity.number
         self._own_folder = OwnFolder()
         self._folder = self._own_folder.path
-        self._scratch: Path | None = None  # where student code may write on this machine's disk
         self._group = ControlGroup(settings)
         self._ended_before = 0  # by the kernel, for memory, in notebooks before this one
         try:
             stage(root, self._folder)
             compile_libraries()
-            start = self._start_inside if with_namespaces else self._start_beside
-            self._process, self._control = start(root)
+            place = Place(root, settings, self._folder, self._identity, self._group)
+            zygote = start_inside(place) if with_namespaces else start_beside(place)
         except BaseException as error:
             self._group.remove()
             self._own_folder.remove()
@@ -72,6 +58,7 @@ class Host:
                 short = machine_error(error, str(self._folder))
                 raise short or HostError(f"The sandbox cannot be started: {error}.") from None
             raise
+        self._process, self._control, self._scratch = zygote.process, zygote.control, zygote.scratch
 
     def wait_until_ready(self) -> None:
         """Wait until everything is imported.
@@ -257,103 +244,6 @@ class Host:
         lines = [line for line in text.splitlines() if line.strip()]
         return lines[-1][:300] if lines else "it gave no reason."
 
-    def _start_inside(self, root: Path) -> tuple[subprocess.Popen[bytes], socket.socket]:
-        program = bubblewrap.find_bubblewrap()
-        if program is None:
-            raise HostError("bubblewrap is not installed.")
-        fonts = font_folder()
-        command = bubblewrap.command(
-            program,
-            root=root,
-            package=_PACKAGE,
-            notebooks=self._folder / "notebooks",
-            fonts=fonts,
-            size_mb=self._settings.files_mb,
-            as_root=bool(self._identity),
-        )
-        set_up = {
-            "scratch": str(bubblewrap.SCRATCH),
-            "readable": ["/usr", "/lib", "/lib64", "/nix/store", "/etc", str(bubblewrap.COURSE)]
-            + [str(folder) for folder in bubblewrap.interpreter_folders()],
-            "notebooks": str(bubblewrap.COURSE / "notebooks"),
-            "alone": True,
-            "keep_reading": False,
-        }
-        environment = student_environment(bubblewrap.COURSE, bubblewrap.SCRATCH, self._settings)
-        if fonts is not None:
-            environment["AUTOGRADER_FONT_LIST"] = str(bubblewrap.FONTS)
-        for name, value in environment.items():
-            command += ["--setenv", name, value]
-        return self._start([*command, "--"], set_up, {})
-
-    def _start_beside(self, root: Path) -> tuple[subprocess.Popen[bytes], socket.socket]:
-        if landlock.version() == 0:
-            raise HostError("This kernel has no Landlock.")
-        if seccomp.build_filter() is None:
-            raise HostError("There is no system call filter for this processor.")
-        course, scratch = self._folder / "course", self._folder / "scratch"
-        course.mkdir()
-        scratch.mkdir()
-        (course / "autograder").symlink_to(_PACKAGE)
-        (self._folder / "notebooks").rename(course / "notebooks")
-        if (root / "data").is_dir():
-            (course / "data").symlink_to(root / "data")
-        for name in VISIBLE_FILES:
-            if (root / name).is_file():
-                shutil.copy(root / name, course)
-        self._scratch = scratch
-        if self._identity:
-            os.chmod(self._folder, 0o711)
-            os.chown(scratch, self._identity, self._identity)
-        needed = [*bubblewrap.interpreter_folders(), _PACKAGE, (root / "data").resolve()]
-        system = [Path(name) for name in ("/usr", "/lib", "/lib64", "/nix/store", *_SYSTEM_FILES)]
-        hidden = [root.resolve(), *bubblewrap.installed_solutions()]
-        readable = bubblewrap.leave_out([*system, *bubblewrap.interpreter_folders()], hidden)
-        set_up = {
-            "scratch": str(scratch),
-            "readable": [str(folder) for folder in (course, *readable, *needed[-2:])],
-            "notebooks": str(course / "notebooks"),
-            "alone": False,
-            # An interpreter in root's home folder is closed to any other user.
-            "keep_reading": bool(self._identity) and any(map(_is_closed, needed)),
-        }
-        environment = student_environment(course, scratch, self._settings)
-        fonts = font_folder()
-        if fonts is not None:
-            environment["AUTOGRADER_FONT_LIST"] = str(fonts)
-        return self._start([], set_up, environment)
-
-    def _start(
-        self, prefix: list[str], set_up: dict[str, object], environment: dict[str, str]
-    ) -> tuple[subprocess.Popen[bytes], socket.socket]:
-        return _starter.submit(self._start_process, prefix, set_up, environment).result()
-
-    def _start_process(
-        self, prefix: list[str], set_up: dict[str, object], environment: dict[str, str]
-    ) -> tuple[subprocess.Popen[bytes], socket.socket]:
-        ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
-        with theirs, open(self._folder / "errors", "wb") as errors:
-            zygote = [sys.executable, "-P", "-m", "autograder.sandbox.inside.zygote"]
-            process = subprocess.Popen(
-                self._group.joining([*prefix, *zygote, str(theirs.fileno())]),
-                stdin=subprocess.DEVNULL,
-                stdout=subprocess.DEVNULL,
-                stderr=errors,
-                env=environment,
-                cwd="/",
-                pass_fds=[theirs.fileno()],
-                start_new_session=True,
-            )
-        message = {
-            **set_up,
-            "identity": self._identity,
-            "use_landlock": landlock.version() > 0,
-            "use_seccomp": seccomp.build_filter() is not None,
-        }
-        with suppress(OSError):  # if it has ended already, `wait_until_ready` says so
-            ours.send(json.dumps({"set up": message}).encode())
-        return process, ours
-
 
 def _short_by(said: str) -> MachineError | None:
     """What the last words of a process that did not start say about this machine."""
@@ -367,8 +257,3 @@ def _short_by(said: str) -> MachineError | None:
             if os.strerror(number) in said:
                 return short_of(number)
     return None
-
-
-def _is_closed(folder: Path) -> bool:
-    """Whether others may not enter a folder or one above it."""
-    return any(not parent.stat().st_mode & 1 for parent in (folder, *folder.parents))

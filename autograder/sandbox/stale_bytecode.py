@@ -1,18 +1,22 @@
 """Whether the libraries' compiled modules are of use: one that is older than its source is not.
 
 An environment that was copied (by ``cp -r``, in the layers of a container, from a backup) has
-sources with new times. Python then compiles every module anew at every start, and where it may not
-write, as in the sandbox, it does so for ever.
+sources with new times, and a library that was upgraded has no compiled modules. Python then makes
+them anew at every start, and where it may not write, as in the sandbox, it does so for ever.
 """
 
 from __future__ import annotations
 
+import hashlib
 import importlib.util
 import os
-from collections.abc import Iterator
+import sys
+from collections.abc import Iterable, Iterator
+from contextlib import suppress
 from pathlib import Path
 
-# Modules that every sandbox imports; they stand for all others of their library.
+# Modules that every sandbox imports; they stand for all others of their library until it is known
+# which ones are imported.
 _LOOKED_AT = {
     "sympy": ("__init__.py", "core/expr.py", "printing/str.py"),
     "numpy": ("__init__.py", "linalg/_linalg.py"),
@@ -28,14 +32,50 @@ def stale_modules() -> Iterator[Path]:
 
     One that cannot be written is left out: nothing would be gained by compiling it again.
     """
+    for path in _imported():
+        if path.is_file() and not is_compiled(path) and _can_be_written(path.parent):
+            yield path
+
+
+def are_known() -> bool:
+    """Whether it is known which modules a sandbox imports, or cannot be kept."""
+    kept = _kept()
+    return kept.is_file() or not os.access(_nearest(kept.parent), os.W_OK)
+
+
+def keep_imported(paths: Iterable[Path]) -> None:
+    """Keep which modules a sandbox imports, as far as they could be compiled."""
+    kept = _kept()
+    with suppress(OSError):
+        kept.parent.mkdir(parents=True, exist_ok=True)
+        unfinished = kept.with_suffix(f".{os.getpid()}")
+        lines = "".join(f"{path}\n" for path in paths if is_compiled(path))
+        unfinished.write_text(lines, encoding="utf-8", errors="surrogateescape", newline="\n")
+        os.replace(unfinished, kept)
+
+
+def _kept() -> Path:
+    """The file with the modules of this environment, among what the user can make anew."""
+    cache = Path(os.environ.get("XDG_CACHE_HOME") or "~/.cache").expanduser()
+    environment = f"{sys.prefix}\0{sys.version}\0{__file__}".encode(errors="surrogateescape")
+    return cache / "autograder" / f"imported-{hashlib.sha256(environment).hexdigest()[:16]}.txt"
+
+
+def _nearest(folder: Path) -> Path:
+    """The folder itself, or the one above it that is there."""
+    return next(above for above in (folder, *folder.parents) if above.is_dir())
+
+
+def _imported() -> Iterator[Path]:
+    with suppress(OSError):
+        lines = _kept().read_text(encoding="utf-8", errors="surrogateescape").splitlines()
+        yield from map(Path, lines)
+        return
     for name, modules in _LOOKED_AT.items():
         found = importlib.util.find_spec(name)
         if found is None or found.origin is None:
             continue
-        for module in modules:
-            path = Path(found.origin).parent / module
-            if path.is_file() and not is_compiled(path) and _can_be_written(path.parent):
-                yield path
+        yield from (Path(found.origin).parent / module for module in modules)
 
 
 def is_compiled(source: Path) -> bool:

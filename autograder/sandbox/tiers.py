@@ -14,9 +14,10 @@ from autograder.exchange.channel import Late
 from autograder.exchange.wire import WireError
 from autograder.sandbox import bubblewrap, landlock, seccomp
 from autograder.sandbox.attempts_to_get_out import TRIALS, try_to_get_out
-from autograder.sandbox.host import Host, HostError
+from autograder.sandbox.host import Host
 from autograder.sandbox.machine_allows import require_room
 from autograder.sandbox.no_isolation_works import SandboxError
+from autograder.sandbox.zygote_start import HostError
 
 
 @dataclass

@@ -9,9 +9,11 @@ remembers which version of the file it met.
 
 from __future__ import annotations
 
+import ast
 import json
 import os
 import re
+import unicodedata
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
@@ -24,8 +26,9 @@ from autograder.student.frontend import VSCODE_FILE, current_cell, deleted_cells
 
 HOW = N_("Save the notebook (Ctrl+S, on a Mac ⌘S) and run `submit()` again")
 _VSCODE_CELL = "vscode-notebook-cell"
-# What a student runs to hand in; a cell with nothing else is no work.
-_HANDS_IN = re.compile(r"\s*((from|import) autograder\b.*|(\w+\.)?(submit|progress)\(.*\).*|#.*)?")
+# What a student calls to hand in; a cell with nothing else is no work.
+_HAND_IN = ("submit", "progress", "me")
+_LINE_MAGIC = re.compile(r"^\s*%+(time|timeit)\b", re.MULTILINE)
 
 
 @dataclass(frozen=True)
@@ -82,7 +85,13 @@ def _remember(info: CellInfo) -> None:
 def remember(cell: str | None, source: str, folder: Path | None = None) -> None:
     """Note that a cell with this source is run now, in the folder of its notebook."""
     versions = {path.name: version for path, version in _notebooks(folder or Path.cwd())}
-    _runs[cell or source.strip()] = Run(cell, source.strip(), versions)
+    source = _as_compared(source)
+    _runs[cell or source] = Run(cell, source, versions)
+
+
+def _as_compared(source: str) -> str:
+    """A source without what editors change when they save: line ends, and blanks before them."""
+    return "\n".join(line.rstrip() for line in source.splitlines()).strip()
 
 
 def unsaved_work(folder: Path) -> str:
@@ -118,21 +127,41 @@ def unsaved_work(folder: Path) -> str:
 
 def hands_in(source: str) -> bool:
     """Whether code only hands in, so that nothing is lost with it."""
-    return all(_HANDS_IN.fullmatch(line) for line in source.splitlines())
+    try:
+        statements = ast.parse(_LINE_MAGIC.sub("", source).strip()).body
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return False
+    return all(_is_to_hand_in(statement) for statement in statements)
+
+
+def _is_to_hand_in(statement: ast.stmt) -> bool:
+    match statement:
+        case ast.Import(names=names):
+            return all(name.name.split(".")[0] == "autograder" for name in names)
+        case ast.ImportFrom(module=module):
+            return (module or "").split(".")[0] == "autograder"
+        case ast.Expr(ast.Call(ast.Name(id=name) | ast.Attribute(ast.Name(), attr=name))):
+            return name in _HAND_IN
+    return False
 
 
 def _running(notebooks: list[Saved], runs: list[Run]) -> Saved | None:
     """The notebook that is running, or None if that cannot be told."""
-    by_name = {saved.name: saved for saved in notebooks}
+    by_name = {_composed(saved.name): saved for saved in notebooks}
     told = _name_in_vscode(runs)
     if told is not None:
-        return by_name.get(told)
+        return by_name.get(_composed(told))
     session = PurePosixPath(os.environ.get("JPY_SESSION_NAME", "").replace("\\", "/")).name
     found = [(sum(saved.knows(run) for run in runs), saved) for saved in notebooks]
     found = [(count, saved) for count, saved in found if count]
     if found:
         return max(found, key=lambda entry: (entry[0], entry[1].name == session))[1]
-    return by_name.get(session)
+    return by_name.get(_composed(session))
+
+
+def _composed(name: str) -> str:
+    """A file's name with each accented letter as one character: macOS keeps two."""
+    return unicodedata.normalize("NFC", name)
 
 
 def _name_in_vscode(runs: list[Run]) -> str | None:
@@ -156,9 +185,9 @@ def _notebooks(folder: Path) -> Iterator[tuple[Path, int]]:
 
 def _read(path: Path, version: int) -> Saved | None:
     try:
-        cells = json.loads(path.read_text(encoding="utf-8"))["cells"]
+        cells = json.loads(path.read_text(encoding="utf-8-sig"))["cells"]
         code = [cell for cell in cells if cell.get("cell_type") == "code"]
-        sources = ["".join(cell.get("source", "")).strip() for cell in code]
+        sources = [_as_compared("".join(cell.get("source", ""))) for cell in code]
     except (OSError, ValueError, KeyError, TypeError, AttributeError):
         return None
     by_id = {cell["id"]: source for cell, source in zip(code, sources, strict=True) if "id" in cell}

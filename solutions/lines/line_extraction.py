@@ -17,6 +17,7 @@ import numpy as np
 from solutions.lines.fast.scan_lines import ScanSegments, split_and_merge_all
 from solutions.lines.line_fitting import Line, distances, fit_line, positions_along
 from solutions.lines.scan import (
+    SAME_DISTANCE,
     Segment,
     Settings,
     as_ranges,
@@ -84,8 +85,8 @@ def split(points: np.ndarray, distance: float) -> list[tuple[int, int]]:
     dx, dy = points[last] - points[first]
     length = max(math.hypot(dx, dy), 1e-12)
     offset = np.abs((points - points[first]) @ [-dy, dx]) / length
-    corner = int(offset.argmax())
-    if offset[corner] <= distance:
+    corner = int((offset >= offset.max() - SAME_DISTANCE).argmax())
+    if offset.max() <= distance:
         return [(first, last)]
     left = split(points[: corner + 1], distance)
     right = split(points[corner + 1 :], distance)

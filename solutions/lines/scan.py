@@ -18,6 +18,9 @@ from solutions.lines.line_fitting import (
 # thousands of neighbours in a scan with fine beams.
 _NOISE = 5 * math.sqrt(2)
 _TURN = 2 * math.pi
+# m; two points are equally far from a chord, however their distances were rounded: the first is
+# the corner. Without noise, the beams on both sides of a corner are.
+SAME_DISTANCE = 1e-9
 
 
 @dataclass(frozen=True)
@@ -69,6 +72,24 @@ def is_echo(ranges: np.ndarray, settings: Settings) -> np.ndarray:
         return (ranges > 0) & (ranges < settings.max_range)
 
 
+def check_unit(ranges: np.ndarray, settings: Settings) -> None:
+    """Check that `ranges` (any shape) can be metres: millimetres would leave no echo at all.
+
+    Beams without an echo do not count: they have one reading, or few different ones.
+
+    Raises:
+        ValueError: if hardly a reading is within the range, and the many others are far beyond.
+    """
+    if not ranges.size or is_echo(ranges, settings).mean() > 0.05:
+        return
+    readings = ranges[np.isfinite(ranges) & (ranges > 0)]
+    if len(np.unique(readings)) > 5 and np.median(readings) > 2 * settings.max_range:
+        raise ValueError(
+            f"Ranges are in metres, and none beyond max_range={settings.max_range:g} is an echo: "
+            f"half of these readings are above {np.median(readings):g}. Divide millimetres by 1000."
+        )
+
+
 def as_ranges(ranges: np.ndarray) -> np.ndarray:
     """Return (N,) ranges as floats; a beam that is masked has no echo, which is NaN."""
     return np.where(np.ma.getmaskarray(ranges), np.nan, np.ma.getdata(ranges).astype(float))
@@ -83,6 +104,7 @@ def scan_points(
         raise ValueError(
             f"One scan needs as many ranges as angles, not {ranges.shape} and {angles.shape}."
         )
+    check_unit(ranges, settings)
     beams = np.flatnonzero(is_echo(ranges, settings))
     ranges, angles = ranges[beams], angles[beams]
     return np.column_stack([ranges * np.cos(angles), ranges * np.sin(angles)]), beams
@@ -96,10 +118,13 @@ def check_angles(angles: np.ndarray) -> None:
     Raises:
         ValueError: if they do not.
     """
-    if not (np.diff(angles) > 0).all():
+    if not (np.isfinite(angles).all() and (np.diff(angles) > 0).all()):
         raise ValueError("The angles must grow from beam to beam: turn ranges and angles round.")
     if len(angles) and angles[-1] - angles[0] > _TURN + 1e-6:
-        raise ValueError("The beams turn more than once round: cut the scan after a full turn.")
+        raise ValueError(
+            "The beams turn more than once round: angles are in radians (np.radians), and a scan "
+            "ends after a full turn."
+        )
 
 
 def is_full_turn(angles: np.ndarray) -> bool:

@@ -6,6 +6,7 @@ The students are numeric ids without accounts, which a process of root may take 
 from __future__ import annotations
 
 import csv
+import hashlib
 import os
 import shutil
 import tempfile
@@ -17,8 +18,9 @@ import pytest
 
 from autograder.cli import main
 from autograder.errors import AutograderError, UsageError
-from autograder.intake.drop_folder import collect
-from autograder.student.put_into_drop_folder import drop
+from autograder.intake import drop_folder
+from autograder.intake.drop_folder import collect, name_in_files
+from autograder.student.put_into_drop_folder import drop, user_name
 
 ADA, BOB, STUDENTS, STAFF = 64001, 64002, 64100, 64200
 MB = 2**20
@@ -158,6 +160,23 @@ def test_neither_a_name_nor_a_time_can_be_forged(open_to_all: Path):
     ]
 
 
+@pytest.mark.parametrize(
+    "name", [b"bad\xff_1_2.zip", b"a\nb_1_2.zip", b"_1_2.zip", b'a"b_1_2.zip', b"%ff_1_2.zip"]
+)
+@pytest.mark.parametrize("trust_names", [True, False])
+def test_a_name_that_submit_never_gives_stops_nobody(
+    tmp_path: Path, name: bytes, trust_names: bool, capsys: pytest.CaptureFixture[str]
+):
+    taking, out = tmp_path / "drop", tmp_path / "class"
+    taking.mkdir()
+    (taking / os.fsdecode(name)).write_bytes(b"x")
+    (taking / f"{user_name()}_1_2.zip").write_bytes(b"x")
+    trusting = ["--trust-names"] if trust_names else []
+    assert main(["collect", str(taking), "--out", str(out), *trusting]) == 1
+    assert "not made by submit()" in capsys.readouterr().err
+    assert (out / f"{user_name()}.zip").exists()
+
+
 def test_a_file_that_is_too_large_is_left_and_said(tmp_path: Path):
     (tmp_path / "ada_1_2.zip").write_bytes(b"x" * 2 * MB)
     found = collect(tmp_path, MB, trust_names=True)
@@ -168,3 +187,56 @@ def test_a_file_that_is_too_large_is_left_and_said(tmp_path: Path):
 def test_a_folder_that_is_not_there_is_wrong_usage(tmp_path: Path):
     with pytest.raises(UsageError, match="cannot be read"):
         collect(tmp_path / "none", MB)
+
+
+@pytest.mark.parametrize(
+    "logins",
+    [
+        ("ada_l", "ada-l"),
+        ("ada l", "ada-l"),
+        ("a+b", "a-b"),
+        ("a/b", "a%2Fb"),
+        ("müller", "muller"),
+    ],
+)
+def test_different_logins_never_have_the_same_file(
+    tmp_path: Path, logins: tuple[str, str], monkeypatch: pytest.MonkeyPatch
+):
+    """One student's work would replace the other's."""
+    taking = tmp_path / "drop"
+    taking.mkdir(mode=0o3773)
+    taking.chmod(0o3773)
+    for login in logins:
+        monkeypatch.setenv("JUPYTERHUB_USER", login)
+        drop(packed(tmp_path, "work.zip", login), taking)
+    found = collect(taking, MB, trust_names=True)
+    assert len(found.newest) == 2
+    assert sorted(entry.login for entry in found.newest) == sorted(map(name_in_files, logins))
+    assert found.earlier == 0
+
+
+@pytest.mark.parametrize("login", ["..", ".", ".hidden", "../../etc"])
+def test_no_login_leaves_the_folder_or_hides_in_it(login: str):
+    assert not name_in_files(login).startswith(".")
+    assert "/" not in name_in_files(login)
+
+
+@pytest.mark.parametrize(
+    ("login", "account"),
+    [
+        ("ada", "jupyter-ada"),
+        ("ada_l", "jupyter-ada_l"),
+        ("ada.lovelace@uni.example", "jupyter-ada.lovelace@uni.e-{hash}"),
+    ],
+)
+def test_the_littlest_jupyterhub_puts_a_word_before_its_accounts(
+    tmp_path: Path, login: str, account: str, monkeypatch: pytest.MonkeyPatch
+):
+    """Its users are `jupyter-LOGIN` to the system and `LOGIN` to themselves."""
+    made = hashlib.sha256(f"jupyter-{login}".encode()).hexdigest()[:5]
+    monkeypatch.setattr(drop_folder, "_owner", lambda user: account.format(hash=made))
+    (tmp_path / f"{login}_20261128T000000Z_00000000.zip").write_bytes(b"x")
+    (tmp_path / "bob_20261128T000000Z_00000000.zip").write_bytes(b"x")
+    found = collect(tmp_path, MB)
+    assert [entry.login for entry in found.newest] == [login]
+    assert "it is called bob's and belongs to jupyter-" in found.left[0]

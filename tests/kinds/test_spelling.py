@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from autograder.errors import UsageError
 from autograder.kinds.expression.inside.typed_formula import read_expression
 from autograder.kinds.expression.question import Expression
-from autograder.kinds.number.typed_number import read_number
+from autograder.questions.typed_number import read_number
 
 NUMBERS = {"N": 1000, "w": 0.2, "p": 0.95, "x": 3, "alpha": 0.5}
 FORMULA = Expression(
@@ -65,7 +65,6 @@ FORMULA = Expression(
         ("x²", 9),
         ("½", 0.5),
         ("1½", 1.5),
-        ("3 ¾", 3 * 0.75),
         ("√2", math.sqrt(2)),
         ("√(x + 1)", 2),
         ("2√4", 4),
@@ -90,12 +89,9 @@ def test_what_is_plain_is_read(text: str, value: float):
     ("text", "said"),
     [
         ("1,500", "write 1500 or 1.500"),
-        ("0,5", "with a point"),
         ("1/2x", "two meanings"),
         ("1/2(3)", "two meanings"),
         ("1/x(x+1)", "two meanings"),
-        ("|x|", "abs"),
-        ("5!", "“!” is not understood"),
         ("6:2", "/ for a division"),
         ("30°", "radians"),
         ("∞", "finite"),
@@ -136,7 +132,7 @@ def test_formulas_are_read_the_same_way(text: str, same: str):
 
 
 @pytest.mark.parametrize(
-    ("text", "said"), [("18% x", "0.18"), ("0,5", "with a point"), ("x/2N", "two meanings")]
+    ("text", "said"), [("18% x", "0.18"), ("5!", "“!” is not understood"), ("x/2N", "two meanings")]
 )
 def test_formulas_are_refused_the_same_way(text: str, said: str):
     with pytest.raises(UsageError) as caught:

@@ -62,7 +62,8 @@ def sandbox(request: pytest.FixtureRequest, course: Course, started: dict[str, S
 
 @pytest.fixture(autouse=True)
 def _little_grace(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("autograder.sandbox.session.GRACE", 0.4)
+    for module in ("session", "conversation"):
+        monkeypatch.setattr(f"autograder.sandbox.{module}.GRACE", 0.4)
 
 
 @pytest.fixture

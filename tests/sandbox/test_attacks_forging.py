@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from attacks import NUMBER, asked
 
-import autograder.sandbox.session
+import autograder.sandbox.conversation
 from autograder.sandbox.launcher import Stopped
 
 pytestmark = pytest.mark.usefixtures("after_each_a_good_submission_gets_its_marks")
@@ -43,7 +43,7 @@ def test_a_header_that_claims_four_gigabytes_takes_no_memory(session):
 
 
 def test_a_header_within_the_cap_that_nothing_follows_is_a_timeout(session, monkeypatch):
-    monkeypatch.setattr(autograder.sandbox.session, "_MESSAGE_SECONDS", 2.0)
+    monkeypatch.setattr(autograder.sandbox.conversation, "_MESSAGE_SECONDS", 2.0)
     code = FIND_THE_CHANNEL + "os.write(channel, struct.pack('>IQ', 900_000, 0))\nwhile True: pass"
     assert session.run([code], [])["errors"] == ["timeout"]
 

@@ -12,6 +12,11 @@ import pytest
 from autograder.sandbox import compiled_libraries, stale_bytecode
 
 
+@pytest.fixture(autouse=True)
+def own_cache(tmp_path, monkeypatch):
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
+
+
 @pytest.fixture
 def library(tmp_path):
     folder = tmp_path / "library"
@@ -68,8 +73,9 @@ def test_what_is_stale_is_compiled_once_before_the_first_sandbox(library, monkey
     monkeypatch.setattr(compiled_libraries.subprocess, "run", lambda *a, **k: started.append(a[0]))
     monkeypatch.setattr(compiled_libraries, "font_folder", lambda: library)
     monkeypatch.setattr(compiled_libraries, "stale_modules", lambda: iter([library]))
+    monkeypatch.setattr(compiled_libraries, "are_known", lambda: True)
     compiled_libraries.compile_libraries()
-    assert started[0][-1] == "autograder.sandbox.inside.warm_imports"
+    assert "autograder.sandbox.inside.warm_imports" in started[0]
     monkeypatch.setattr(compiled_libraries, "stale_modules", lambda: iter([]))
     compiled_libraries.compile_libraries()
     assert len(started) == 1
@@ -95,3 +101,29 @@ def test_compiling_the_libraries_comes_to_its_end(monkeypatch):
     monkeypatch.setattr(compiled_libraries, "stale_modules", lambda: iter(["sympy"]))
     compiled_libraries.compile_libraries()
     assert ended == [0]
+    assert stale_bytecode.are_known()
+    kept = stale_bytecode._kept().read_text(encoding="utf-8").splitlines()
+    assert sum("sympy" in line for line in kept) > 100
+    assert any("mpmath" in line for line in kept)
+
+
+def test_one_stale_module_of_those_that_are_imported_is_noticed_and_no_other(library):
+    """As after the upgrade of one library: what stands for the others is compiled."""
+    stale_bytecode.keep_imported([library / "one.py"])
+    assert list(stale_bytecode.stale_modules()) == []
+    os.utime(library / "two.py", (1e9, 1e9))
+    assert list(stale_bytecode.stale_modules()) == []
+    os.utime(library / "one.py", (1e9, 1e9))
+    assert list(stale_bytecode.stale_modules()) == [library / "one.py"]
+
+
+def test_what_cannot_be_compiled_is_not_tried_at_every_start(library):
+    os.remove(cache_from_source(str(library / "two.py")))
+    stale_bytecode.keep_imported(library.glob("*.py"))
+    assert list(stale_bytecode.stale_modules()) == []
+
+
+def test_where_nothing_can_be_kept_nothing_is_missed(monkeypatch):
+    assert not stale_bytecode.are_known()
+    monkeypatch.setattr(stale_bytecode.os, "access", lambda path, mode: False)
+    assert stale_bytecode.are_known()

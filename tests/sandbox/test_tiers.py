@@ -5,10 +5,11 @@ from pathlib import Path
 import pytest
 
 from autograder.cli import main
-from autograder.sandbox import bubblewrap, landlock, tiers
+from autograder.sandbox import bubblewrap, landlock, tiers, zygote_start
 from autograder.sandbox.doctor import run_doctor
-from autograder.sandbox.host import Host, HostError
+from autograder.sandbox.host import Host
 from autograder.sandbox.launcher import SandboxError
+from autograder.sandbox.zygote_start import HostError
 from tests.classroom import make_course
 
 needs_landlock = pytest.mark.skipif(landlock.version() == 0, reason="no Landlock here")
@@ -22,12 +23,12 @@ def nothing_tried_yet(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.fixture
 def leaky(monkeypatch: pytest.MonkeyPatch) -> None:
     """Isolation in which everything may be read."""
-    start = Host._start
+    start = zygote_start._start
 
-    def start_leaky(self, prefix, set_up, environment):
-        return start(self, prefix, {**set_up, "readable": ["/"]}, environment)
+    def start_leaky(place, prefix, set_up, environment):
+        return start(place, prefix, {**set_up, "readable": ["/"]}, environment)
 
-    monkeypatch.setattr(Host, "_start", start_leaky)
+    monkeypatch.setattr(zygote_start, "_start", start_leaky)
 
 
 @pytest.fixture

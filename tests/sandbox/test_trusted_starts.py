@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from autograder.sandbox import compiled_libraries, host
+from autograder.sandbox import compiled_libraries, host, zygote_start
 
 MARK = "from pathlib import Path\nPath({!r}).touch()\n"
 
@@ -42,7 +42,7 @@ def test_outside_of_the_sandbox_no_module_of_the_course_is_imported(tmp_path):
     for name in ("data", "notebooks"):
         (tmp_path / name).mkdir()
         (tmp_path / name / "__init__.py").write_text(MARK.format(str(mark)))
-    package = str(host._PACKAGE.parent)
+    package = str(zygote_start._PACKAGE.parent)
     environment = {**os.environ, "PYTHONPATH": f"{tmp_path}{os.pathsep}{package}"}
     subprocess.run(
         [sys.executable, "-P", "-m", "autograder.sandbox.inside.warm_imports"],

@@ -14,7 +14,7 @@ from hypothesis.extra import numpy as hnp
 from autograder.exchange import wire
 from autograder.exchange.replies import NOT_PLAIN, clean_evaluation, clean_report, clean_text
 from autograder.exchange.wire import HEADER, WireError, encode, read_message
-from autograder.sandbox.session import _carries
+from autograder.sandbox.conversation import _carries
 from autograder.sandbox.stop_errors import stop_by
 
 

@@ -151,3 +151,41 @@ def test_noise_beyond_the_settings_breaks_walls_which_the_settings_for_it_do_not
     fitting = split_and_merge(ranges, angles, replace(scanners.SICK_PLS_101, sigma=0.04))
     assert sum(len(wall.inliers) for wall in rough) < 60
     assert sum(len(wall.inliers) for wall in fitting) > 110
+
+
+@pytest.mark.parametrize("step", [0.1, 0.125, 0.25, 0.36, 0.5, 1.0])
+@pytest.mark.parametrize("turned", [0.0, 0.3, math.pi / 4, 1.0])
+def test_one_scan_and_many_give_the_same_without_noise(step, turned):
+    """Where a beam meets a corner, both walls fit it as well, to the last digit."""
+    angles = beams(-180, 180, step)
+    ranges, _ = room(angles, turned)
+    found = split_and_merge_all(ranges[None], angles).of(0)
+    for one, other in zip(split_and_merge(ranges, angles), found, strict=True):
+        assert (one.inliers == other.inliers).all()
+        assert one.line.r == pytest.approx(other.line.r, abs=1e-9)
+        assert math.cos(one.line.alpha - other.line.alpha) == pytest.approx(1)  # pi is near -pi
+
+
+@pytest.mark.parametrize("dtype", [int, np.uint16, float])
+def test_millimetres_are_refused_and_not_taken_for_beams_without_an_echo(dtype):
+    angles = beams(-90, 90.5, 0.5)
+    millimetres = (1000 * room(angles, 0.1)[0]).astype(dtype)
+    millimetres[::7] = 0
+    for extract in (split_and_merge, lambda scan, angles: split_and_merge_all(scan[None], angles)):
+        with pytest.raises(ValueError, match=r"Ranges are in metres.*Divide millimetres by 1000"):
+            extract(millimetres, angles)
+
+
+@pytest.mark.parametrize("nothing", [0.0, 81.83, 1000.0, np.inf, np.nan, -1.0])
+def test_a_scan_without_an_echo_has_no_walls_whatever_its_readings_stand_for(nothing):
+    angles = beams(-90, 90.5, 0.5)
+    ranges = np.full(len(angles), nothing)
+    assert split_and_merge(ranges, angles) == []
+    assert split_and_merge_all(ranges[None], angles).of(0) == []
+
+
+def test_degrees_and_endless_angles_are_refused():
+    with pytest.raises(ValueError, match="angles are in radians"):
+        split_and_merge(np.ones(181), np.arange(-90.0, 91.0))
+    with pytest.raises(ValueError, match="must grow"):
+        split_and_merge(np.ones(3), np.array([0.0, 0.1, np.inf]))

@@ -256,9 +256,40 @@ def test_a_cell_that_jupyterlab_calls_deleted_is_not_missed(
     assert unsaved.unsaved_work(folder) == ""
 
 
+@pytest.mark.parametrize(
+    "cell", ["cell-0", None, "vscode-notebook-cell:/home/x/3_orchard.ipynb#W1"]
+)
+@pytest.mark.parametrize("how", ["line ends", "line ends of what ran", "blanks", "byte order mark"])
+def test_what_an_editor_changes_when_it_saves_is_no_work(folder: Path, cell: str | None, how: str):
+    ran, kept = "area = 12\nheight = 3", "area = 12\nheight = 3"
+    if how == "line ends":
+        kept = kept.replace("\n", "\r\n")
+    elif how == "line ends of what ran":
+        ran = ran.replace("\n", "\r\n")
+    elif how == "blanks":
+        ran = ran.replace("\n", "  \n")
+    save(folder, kept)
+    if how == "byte order mark":
+        (folder / NAME).write_bytes(b"\xef\xbb\xbf" + (folder / NAME).read_bytes())
+    unsaved.remember(cell, ran)
+    assert unsaved.unsaved_work(folder) == ""
+
+
+def test_an_umlaut_in_two_characters_is_the_same_name(folder: Path):
+    save(folder, "area = 12", name="3_Ga\u0308rten.ipynb")
+    cell = "vscode-notebook-cell:/home/x/3_G%C3%A4rten.ipynb#W1"
+    unsaved.remember(cell, "area = 12")
+    assert unsaved.unsaved_work(folder) == ""
+    unsaved.remember(cell, "area = 13")
+    assert "is saved without code that you ran" in unsaved.unsaved_work(folder)
+
+
 def test_a_cell_that_only_hands_in_is_no_work():
     assert unsaved.hands_in("from autograder import submit\n\nsubmit()  # done")
     assert unsaved.hands_in("import autograder\nautograder.submit(to='/srv/drop')")
+    assert unsaved.hands_in("autograder.submit(\n    to='/srv/drop',\n)")
+    assert unsaved.hands_in("%time submit()")
+    assert unsaved.hands_in('me("Ada Lovelace")\nprogress()')
     assert not unsaved.hands_in("area = 12; submit()")
     assert not unsaved.hands_in("submit()\narea = 12")
 

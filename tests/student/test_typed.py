@@ -12,9 +12,9 @@ from autograder.errors import UsageError
 from autograder.kinds.expression.inside.typed_formula import read_expression
 from autograder.kinds.expression.question import Expression
 from autograder.kinds.number.question import Number
-from autograder.kinds.number.typed_number import read_number
 from autograder.kinds.true_false.question import TrueFalse
 from autograder.questions.registry import kind_of
+from autograder.questions.typed_number import read_number
 
 COMMON = {"id": "Q1", "chapter": "c", "title": "t", "prompt": "p", "hints": ("h",)}
 WORTH = {**COMMON, "points": 1.0}
@@ -52,14 +52,14 @@ def test_a_number_is_read(text: str, value: float):
         ("12 +", "not finished"),
         ("(1 + 2", "bracket is missing"),
         ("area = 12", "without an equals sign"),
-        ("0,5", "with a point"),
+        ("1,2,3", "one value"),
         ("a", "a is not a number"),
         ("1/0", "no value"),
         ("log(-1)", "no value"),
         ("9**9**9**9", "too large"),
         ("comb(10**9, 5)", "too large"),
         ("1e400", "finite"),
-        ("True", "not understood"),
+        ("True", "True is not a number"),
         ("'12'", "not understood"),
         ("__import__('os').system('true')", "not understood"),
         ("(lambda: 1)()", "not understood"),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, TypeGuard
 
@@ -10,12 +11,12 @@ from autograder.kinds.number.answer import NumberAlternative, NumberAnswer
 from autograder.kinds.number.marking import mark_number
 from autograder.kinds.number.question import Number
 from autograder.kinds.number.sensible import not_sensible
-from autograder.kinds.number.typed_number import read_number
 from autograder.language import _
 from autograder.questions.answer import Alternative
 from autograder.questions.code_kinds import CodeKind
 from autograder.questions.drawn import Drawn
 from autograder.questions.mark import Mark
+from autograder.questions.typed_number import read_number
 from autograder.questions.typed_text import assign_if_open
 
 if TYPE_CHECKING:
@@ -38,7 +39,7 @@ class NumberKind(CodeKind[Number, NumberAnswer]):
     def read_typed(
         self, question: Number, text: str, variables: Mapping[str, object]
     ) -> tuple[object, object]:
-        value = read_number(text, variables)
+        value = read_number(without_unit(text, question), variables)
         return value, value
 
     def typed_value(self, question: Number, response: object) -> object:
@@ -98,6 +99,14 @@ class NumberKind(CodeKind[Number, NumberAnswer]):
         for entry in answer.alternatives:
             if not entry.is_mistake:
                 yield question.printed(entry.value)
+
+
+def without_unit(text: str, question: Number) -> str:
+    """What was typed, without the question's own unit behind the number."""
+    for unit in filter(None, (question.unit, question.unit_of_one)):
+        behind = rf"(?<=[\d)])\s*{re.escape(unit)}\s*\.?\s*$"
+        text = re.sub(behind, "", text, flags=re.IGNORECASE)
+    return text
 
 
 def _is_finite_number(value: object) -> TypeGuard[int | float]:

@@ -1,7 +1,8 @@
 """Imports and warms everything once, so that a fork starts with it.
 
 Run as a program it does the same outside of any sandbox, but without the course, which makes Python
-keep the compiled modules where the sandbox, which writes nothing, finds them.
+keep the compiled modules where the sandbox, which writes nothing, finds them. Which modules these
+are goes into the file that its argument names.
 """
 
 from __future__ import annotations
@@ -108,3 +109,7 @@ def _asks_in_its_notebooks() -> bool:
 if __name__ == "__main__":
     sys.dont_write_bytecode = False
     warm(with_course=False)
+    files = (getattr(module, "__file__", None) for module in list(sys.modules.values()))
+    imported = sorted({file for file in files if file and file.endswith(".py")})
+    with open(sys.argv[1], "w", encoding="utf-8", errors="surrogateescape", newline="\n") as kept:
+        kept.writelines(f"{file}\n" for file in imported)

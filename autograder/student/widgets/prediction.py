@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from autograder.course.predictions import Prediction
-from autograder.errors import UsageError
 from autograder.exchange.messages import Message
 from autograder.language import _
-from autograder.questions.typed_text import parse, value_of
+from autograder.questions.typed_characters import bare
+from autograder.questions.typed_digits import without_percent
+from autograder.questions.typed_number import read_number
 from autograder.reports.markdown import inline, markdown
 from autograder.student.desk import Desk
 from autograder.student.widgets.base import CourseWidget, receipt_output, source
@@ -55,7 +56,7 @@ class PredictionWidget(CourseWidget):
         return {}
 
 
-def _number(text: str) -> int | float | str:
+def _number(text: str) -> int | float:
     """What a typed number means; arithmetic such as ``1/3`` will do.
 
     A percent sign says what the unit says already, and is passed over.
@@ -64,12 +65,4 @@ def _number(text: str) -> int | float | str:
         UsageError: if it is none.
     """
 
-    def no_name(name: str) -> object:
-        raise UsageError(_("{name} is not a number here.").format(name=name))
-
-    try:
-        number: int | float | str = value_of(parse(text.strip().removesuffix("%")), no_name, {})
-        return number
-    except (ArithmeticError, ValueError, TypeError) as error:
-        sentence = _("This has no value: {reason}.").format(reason=str(error).rstrip("."))
-        raise UsageError(sentence) from None
+    return read_number(without_percent(bare(text)), {})

@@ -18,6 +18,7 @@ from solutions.lines.scan import (
     as_ranges,
     breaks,
     check_angles,
+    check_unit,
     first_beams,
     is_bend,
     is_curved,
@@ -73,6 +74,7 @@ def split_and_merge_all(
             f"Needs (M, B) ranges and (B,) angles, not {ranges.shape} and {angles.shape}."
         )
     check_angles(angles)
+    check_unit(ranges, settings)
     parts = [
         _extract(ranges[scan : scan + AT_ONCE], angles, scan, settings)
         for scan in range(0, max(1, len(ranges)), AT_ONCE)

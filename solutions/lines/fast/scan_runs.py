@@ -5,6 +5,8 @@ A run is a pair of indices (first, last) into the echoes of all scans, in one lo
 
 import numpy as np
 
+from solutions.lines.scan import SAME_DISTANCE
+
 
 class RunSums:
     """The sums over any run, each as one difference of prefix sums.
@@ -67,7 +69,8 @@ def split_runs(
         straight.append((first[~split], last[~split], run[~split]))
 
         # The first of the farthest points is the corner; it ends the left part.
-        at_corner = np.flatnonzero(offset == np.repeat(np.where(split, farthest, -1.0), lengths))
+        corner_distance = np.where(split, farthest - SAME_DISTANCE, np.inf)
+        at_corner = np.flatnonzero(offset >= np.repeat(corner_distance, lengths))
         owner = np.repeat(np.arange(len(first)), lengths)[at_corner]
         corner = members[at_corner[np.unique(owner, return_index=True)[1]]]
         first = np.concatenate([first[split], corner + 1])

@@ -8,11 +8,11 @@ from autograder.errors import UsageError
 from autograder.exchange.messages import Value
 from autograder.kinds.expression.question import Expression
 from autograder.language import _
-from autograder.questions.typed_text import parse, value_of
+from autograder.questions.typed_text import parse, power, value_of
 
 _OF_SYMPY = (
     *("acos", "asin", "atan", "atan2", "cos", "cot", "sin", "tan"),
-    *("cosh", "sinh", "tanh", "exp", "log", "sign", "sqrt"),
+    *("csc", "sec", "cosh", "sinh", "tanh", "exp", "log", "sign", "sqrt"),
 )
 
 
@@ -53,24 +53,28 @@ def read_expression(question: Expression, text: str) -> object:
     constants = {"pi": sp.pi, "e": sp.E, "E": sp.E}
     functions = {name: getattr(sp, name) for name in _OF_SYMPY} | {
         "abs": sp.Abs,
-        "Abs": sp.Abs,
-        "ln": sp.log,
-        "arctan": sp.atan,
-        "arctan2": sp.atan2,
+        "pow": power,
     }
-    functions |= {"arcsin": sp.asin, "arccos": sp.acos}
-    tree = parse(text, functions)
 
     def name(id: str) -> Value:
         if id in symbols:
             return symbols[id]
+        if len(same := [symbol for symbol in symbols if symbol.replace("_", "") == id]) == 1:
+            return symbols[same[0]]  # Sxx for S_xx
         if id in constants:
             return constants[id]
         sentence = _("{name} is not one of the symbols here: {symbols}.")
         raise UsageError(sentence.format(name=id, symbols=", ".join(symbols)))
 
+    tree = parse(text, functions, name)
     try:
-        return sp.sympify(value_of(tree, name, functions, number=sp.sympify))
+        formula = sp.sympify(value_of(tree, name, functions, number=sp.sympify))
+    except UsageError:
+        raise
     except (ArithmeticError, ValueError, TypeError) as error:
         sentence = _("This is not a formula: {reason}.").format(reason=str(error).rstrip("."))
         raise UsageError(sentence) from None
+    if formula.has(sp.nan, sp.zoo, sp.oo, -sp.oo):
+        reason = _("it divides by zero")
+        raise UsageError(_("This has no value: {reason}.").format(reason=reason))
+    return formula
