@@ -1,6 +1,7 @@
 """Functions in many styles earn everything, and a slip in any of them costs something.
 
-They stand in `styles_*.py`, one module a chapter. One seed is tried, and five with AUTOGRADER_LONG=1.
+They stand in `styles_*.py`, one module a chapter. One seed is tried, and five with
+AUTOGRADER_LONG=1.
 """
 
 import math
