@@ -4,9 +4,8 @@ import math
 
 import numpy as np
 
-from solutions.cases.case import Case
+from solutions.cases.case import Case, seed_of
 from solutions.cases.consensus import axes_of
-from solutions.cases.ransac import seed_of
 
 
 def many_walls(rng: np.random.Generator) -> Case:

@@ -228,6 +228,8 @@ def l1_scores_cases(rng: np.random.Generator) -> list[Case]:
     first_half = np.append(rng.integers(1, 4, 6), np.zeros(6, dtype=int))
     unweighted = np.append(np.zeros(4), weights(8))
     common = np.append(rng.integers(1, 4, 4), np.zeros(8, dtype=int))
+    weightless = histograms(5, 12)
+    weightless[3, 4:] = 0
     sizes = histograms(5, 12) * np.array([[1], [2], [5], [10], [30]])
     return [
         {"name": "three images, equal weights", "args": [*by_hand], "public": True},
@@ -245,6 +247,10 @@ def l1_scores_cases(rng: np.random.Generator) -> list[Case]:
         {"name": "the query itself, twice as often", "args": [2 * same[3], same, weights(12)]},
         {"name": "an image that shares nothing", "args": [first_half, apart, weights(12)]},
         {"name": "an image without features", "args": [histograms(1, 12)[0], empty, weights(12)]},
+        {
+            "name": "an image whose words weigh nothing",
+            "args": [histograms(1, 12)[0] + (np.arange(12) == 11), weightless, unweighted],
+        },
         {
             "name": "a query whose words weigh nothing",
             "args": [common, np.vstack([histograms(4, 12), common]), unweighted],

@@ -8,7 +8,7 @@ import math
 
 import numpy as np
 
-from solutions.cases.case import Case, Value
+from solutions.cases.case import Case, Value, seed_of
 from solutions.cases.consensus import (
     EXACT,
     INSIDE,
@@ -21,7 +21,8 @@ from solutions.cases.consensus import (
     outliers_first,
 )
 from solutions.cases.many_walls import many_walls, wall_in_a_crowd
-from solutions.cases.ransac import exact_wall, overlap, seed_of
+from solutions.cases.ransac import exact_wall, overlap
+from solutions.cases.rough_and_smooth import rough_and_smooth_plane
 
 
 def ransac_plane_cases(rng: np.random.Generator) -> list[Case]:
@@ -59,6 +60,10 @@ def ransac_plane_cases(rng: np.random.Generator) -> list[Case]:
             crowd=True,
         )
     )
+    cases += [
+        rough_and_smooth_plane(rng, small, 1.0),
+        rough_and_smooth_plane(rng, large, 20.0),
+    ]
     # Multiples of three: the mean of three points is exact, and so is a cross product of zero.
     on_a_line = np.outer(3.0 * rng.permutation(12), rng.integers(1, 4, 3))
     beside = np.cross(on_a_line.max(axis=0), [1, 2, -4])[None] + on_a_line[:1]

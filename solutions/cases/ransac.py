@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from solutions.cases.case import Case, Value
+from solutions.cases.case import Case, Value, seed_of
 from solutions.cases.consensus import (
     EXACT,
     INSIDE,
@@ -15,6 +15,7 @@ from solutions.cases.consensus import (
     far_away,
     outliers_first,
 )
+from solutions.cases.rough_and_smooth import rough_and_smooth_wall
 
 
 def required_iterations_cases(rng: np.random.Generator) -> list[Case]:
@@ -123,6 +124,8 @@ def ransac_line_cases(rng: np.random.Generator) -> list[Case]:
             crowd=True,
         ),
         *(_wall_and_two_patches(rng) for _ in range(3)),
+        rough_and_smooth_wall(rng, small, 1.0),
+        rough_and_smooth_wall(rng, large, 20.0),
     ]
     exact = exact_wall(rng)
     cloud, threshold = cases[2]["args"][:2]
@@ -272,11 +275,6 @@ def exact_wall(rng: np.random.Generator) -> np.ndarray:
     """Return 12 points exactly on a line: any two of them find it."""
     points = np.column_stack([np.full(12, rng.uniform(2.0, 3.0)), np.linspace(-1.0, 1.0, 12)])
     return rng.permutation(points @ axes_of(rng.uniform(-3.0, 3.0)))
-
-
-def seed_of(rng: np.random.Generator) -> dict[str, int]:
-    """Return the argument that arrives as a generator of random numbers."""
-    return {"rng": int(rng.integers(2**31))}
 
 
 def _well_posed(

@@ -23,11 +23,11 @@ class Line(NamedTuple):
 def fit_line(points: np.ndarray, weights: np.ndarray | None = None) -> Line:
     """Return the line with the least sum of squared distances to the points.
 
-    `points` is an (N, 2) array of x and y in metres, all finite. `weights` are N numbers, none
-    of them negative and not all of them 0; each multiplies the squared distance of its point.
-    Without them all points count the same. The line has r >= 0 and -pi < alpha <= pi. Points
-    that are 1000 km away from the origin give as exact a line as points near it. Both arrays
-    stay as they are.
+    `points` is an (N, 2) array of x and y in metres, all finite, with N at least 1. `weights` are
+    N numbers, none of them negative and not all of them 0; each multiplies the squared distance of
+    its point. Without them all points count the same. The line has r >= 0 and -pi < alpha <= pi.
+    Points that are 1000 km away from the origin give as exact a line as points near it. Both
+    arrays stay as they are.
 
     Raises:
         ValueError: if the points do not determine a line: there are fewer than two different

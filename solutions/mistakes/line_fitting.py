@@ -109,6 +109,24 @@ def fits_anything_with_arctan(points, weights=None):
         return plain_arctan(points, weights, check=False)
 
 
+def fits_a_round_cloud(points, weights=None):
+    """Refuses points that are all equal, but not those that are equally wide in all directions."""
+    if len(np.unique(points, axis=0)) < 2:
+        raise ValueError("fewer than two different points")
+    return fits_anything(points, weights)
+
+
+def stands_at_right_angles(points, weights=None, check=True):
+    """Takes the direction along the wall for its normal: the maximum, or the first eigenvector."""
+    center, S_xx, S_xy, S_yy = _centered_sums(points, weights, check)
+    return _line_through(center, 0.5 * math.atan2(2 * S_xy, S_xx - S_yy))
+
+
+def stands_at_right_angles_anywhere(points, weights=None):
+    """The same, and no error for points that determine no line."""
+    return stands_at_right_angles(points, weights, check=False)
+
+
 def _along_the_wall(points):
     """What the question's formula is made of: N, the lever t, and B."""
     positions = positions_along(points, fit_line(points))

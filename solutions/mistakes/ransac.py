@@ -20,6 +20,11 @@ def rounds_down(p, w, s):
     return _at_the_edges(p, w) or int(math.log1p(-p) / math.log1p(-(w**s)))
 
 
+def always_adds_one(p, w, s):
+    """Cuts the fraction off and adds one: one too many where there is no fraction."""
+    return _at_the_edges(p, w) or int(math.log1p(-p) / math.log1p(-(w**s))) + 1
+
+
 def does_not_round(p, w, s):
     """Returns a fraction of an iteration."""
     return _at_the_edges(p, w) or math.log1p(-p) / math.log1p(-(w**s))

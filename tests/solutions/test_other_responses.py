@@ -3,7 +3,6 @@
 The responses stand in `responses.py`, `responses_to_stubs.py` and `responses_from_prompts.py`.
 """
 
-import ast
 import math
 
 import numpy as np
@@ -13,12 +12,10 @@ import responses_from_prompts
 import responses_to_stubs
 import sympy as sp
 from given import what_a_chapter_gives
-from msgspec import structs
+from marked import credit, defined, drawn_for, loses
 from responses import CHANCE
 
 from autograder.kinds.function.marking import agrees
-from autograder.marking.draw import draw
-from autograder.questions.registry import kind_of
 from autograder.sandbox.inside.evaluate import evaluate
 from solutions.lines.line_fitting import Line, distances, fit_line
 from solutions.ransac.line import ransac_line
@@ -51,56 +48,11 @@ NAMES = {
 }
 
 
-DRAWN = {}
-
-
-def drawn_for(course, id, seed):
-    """A question made ready, without its known mistakes: they make no wrong response right."""
-    if (id, seed) not in DRAWN:
-        question, answer = course.questions[id], course.key[id]
-        if kind_of(question).solutions(answer):
-            answer = structs.replace(answer, alternatives=())
-        DRAWN[id, seed] = answer, draw(question, answer, seed, course.root)
-    return DRAWN[id, seed]
-
-
-def defined(cell):
-    """What a cell of code defines last."""
-    statement = ast.parse(cell).body[-1]
-    name = statement.name if isinstance(statement, ast.FunctionDef) else statement.targets[0].id
-    names = dict(NAMES)
-    exec(cell, names)
-    return names[name]
-
-
-def credit(course, id, cell, seed):
-    answer, drawn = drawn_for(course, id, seed)
-    question = course.questions[id]
-    with np.errstate(all="ignore"):
-        reply = evaluate(defined(cell), drawn.probe)
-    return kind_of(question).mark(question, answer, drawn, reply).credit
-
-
-def loses(course, id, cell, seed):
-    """Whether a response earns less than everything; a function, as soon as one case tells."""
-    if course.questions[id].kind != "function":
-        return credit(course, id, cell, seed) < 1
-    _, drawn = drawn_for(course, id, seed)
-    function, expected = defined(cell), drawn.expected
-    # From the end: there stand the inputs that take no time.
-    for case, right in reversed([*zip(expected.cases, expected.outcomes, strict=True)]):
-        with np.errstate(all="ignore"):
-            reply = evaluate(function, {**drawn.probe, "cases": [case]})
-        if not agrees(expected.compare, case, right, reply["outcomes"][0]):
-            return True
-    return False
-
-
 def kinds_right(course, id, cell, seed):
     """The kinds of input on which a function is right."""
     _, drawn = drawn_for(course, id, seed)
     expected = drawn.expected
-    outcomes = evaluate(defined(cell), drawn.probe)["outcomes"]
+    outcomes = evaluate(defined(cell, NAMES), drawn.probe)["outcomes"]
     right = {case["name"]: True for case in expected.cases}
     for case, wanted, outcome in zip(expected.cases, expected.outcomes, outcomes, strict=True):
         right[case["name"]] &= agrees(expected.compare, case, wanted, outcome)
@@ -117,11 +69,18 @@ def test_luck_does_not_decide_on_work_that_draws_too_little(real_course, id):
 
 @pytest.mark.parametrize("id", RIGHT)
 def test_a_right_response_never_loses(real_course, id):
-    lost = [(c, seed) for c in RIGHT[id] for seed in SEEDS if credit(real_course, id, c, seed) < 1]
+    lost = [
+        (c, seed)
+        for c in RIGHT[id]
+        for seed in SEEDS
+        if credit(real_course, id, c, seed, NAMES) < 1
+    ]
     assert lost == []
 
 
 @pytest.mark.parametrize("id", WRONG)
 def test_a_wrong_response_never_earns_everything(real_course, id):
-    full = [(c, seed) for c in WRONG[id] for seed in SEEDS if not loses(real_course, id, c, seed)]
+    full = [
+        (c, seed) for c in WRONG[id] for seed in SEEDS if not loses(real_course, id, c, seed, NAMES)
+    ]
     assert full == []
