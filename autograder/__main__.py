@@ -7,6 +7,7 @@ import sys
 
 def main() -> int:
     """Load the command line quickly and run it."""
+    _read_names_as_utf8()
     _import_nothing_from_here()
     # Marking multiplies nothing large: more threads would only wait, and keep a processor busy.
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
@@ -20,6 +21,21 @@ def main() -> int:
     gc.freeze()
     gc.enable()
     return cli.main()
+
+
+def _read_names_as_utf8() -> None:
+    """Start anew where Python takes arguments and names of files for ASCII or Latin-1.
+
+    That is so with an old locale: half a letter of a name can neither be printed nor kept in a
+    gradebook. What is printed stays in the terminal's encoding.
+    """
+    if sys.getfilesystemencoding() == "utf-8" or os.environ.get("PYTHONUTF8") == "1":
+        return
+    if os.name == "posix" and sys.executable:
+        os.environ["PYTHONUTF8"] = "1"
+        if sys.stdout is not None:
+            os.environ.setdefault("PYTHONIOENCODING", sys.stdout.encoding)
+        os.execv(sys.executable, sys.orig_argv)
 
 
 def _import_nothing_from_here() -> None:

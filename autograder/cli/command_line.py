@@ -62,6 +62,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parsed = parser().parse_args(arguments)
     console = Console(highlight=False)
     try:
+        _check_folder_to_write(parsed)
         return int(parsed.run(parsed, console))
     except UsageError as error:
         print(f"autograder: {error}", file=sys.stderr)
@@ -87,6 +88,15 @@ def main(arguments: Sequence[str] | None = None) -> int:
             raise
         print(f"autograder: {short}", file=sys.stderr)
         return BROKEN
+
+
+def _check_folder_to_write(parsed: argparse.Namespace) -> None:
+    out = str(getattr(parsed, "out", None) or "")
+    if any("\ud800" <= sign <= "\udfff" for sign in out):
+        shown = out.encode("utf-8", "replace").decode()
+        raise UsageError(
+            f"The name {shown} is not UTF-8, so no gradebook can be in it; name another."
+        )
 
 
 def parser() -> argparse.ArgumentParser:

@@ -53,6 +53,36 @@ def test_every_encoding_shows_the_same_words(classroom: Path, encoding: str):
     assert f"{sign} Q1" in words
 
 
+OLD_LOCALE = {"LC_ALL": "C", "PYTHONCOERCECLOCALE": "0", "PYTHONUTF8": "0"}
+
+
+@pytest.mark.skipif(os.name != "posix", reason="Windows keeps names in Unicode")
+@pytest.mark.parametrize("encoding", ["", "ascii", "cp437", "utf-8"])
+def test_names_are_whole_in_an_old_locale(classroom: Path, encoding: str, tmp_path: Path):
+    """Python takes arguments and names of files for ASCII there, with half letters in them."""
+    out = ["--out", str(tmp_path / "Noten für 李")]
+    setting = {**OLD_LOCALE, **({"PYTHONIOENCODING": encoding} if encoding else {})}
+    assert run(classroom, "grade", str(classroom / "work"), *out, **setting).returncode == 0
+    noted = run(classroom, "note", NAME, "größer – 😀", *out, **setting)
+    assert noted.returncode == 0, noted.stderr
+    shown = run(classroom, "show", NAME, *out, **setting)
+    assert shown.returncode == 0
+    wanted = NAME.encode(encoding or "ascii", "backslashreplace")
+    assert wanted in shown.stdout
+    read = run(classroom, "show", NAME, *out, PYTHONIOENCODING="utf-8").stdout.decode("utf-8")
+    assert NAME in read
+    assert "größer – 😀" in read
+
+
+@pytest.mark.skipif(os.name != "posix", reason="Windows keeps names in Unicode")
+def test_a_gradebook_in_a_folder_whose_name_is_no_text_is_refused(classroom: Path, tmp_path: Path):
+    out = os.fsdecode(os.fsencode(tmp_path) + b"/Noten_\xe4")
+    done = run(classroom, "grade", str(classroom / "work"), "--out", out, LC_ALL="C.UTF-8")
+    assert done.returncode == 2
+    assert b"is not UTF-8" in done.stderr
+    assert b"Traceback" not in done.stderr
+
+
 @pytest.mark.parametrize("closed", [">&-", "2>&-", ">&- 2>&- <&-"])
 def test_without_any_output_the_work_is_done_all_the_same(classroom: Path, closed: str, tmp_path):
     command = f'"{sys.executable}" -m autograder --course "{classroom / "course"}" grade '
