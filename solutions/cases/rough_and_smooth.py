@@ -13,8 +13,8 @@ from solutions.cases.case import Case, seed_of
 from solutions.cases.consensus import axes_of
 
 # Any sample of the points in the rough one that have no offset finds all its points.
-ON_IT, IN_THE_BAND = 24, 26  # of the rough one
-SMOOTH = 30
+ON_IT, IN_THE_BAND = 28, 10  # of the rough one
+SMOOTH = 32
 IN_PART_OF_THE_BAND = (0.55, 0.65)  # thresholds on either side, in the middle
 
 
@@ -28,7 +28,7 @@ def rough_and_smooth_wall(
     positions.insert(1, rng.uniform(-0.02, 0.02, IN_THE_BAND))
     points = np.column_stack([offsets, scale * np.concatenate(positions)])
     points = points @ axes_of(rng.uniform(-3.0, 3.0))
-    return _case(rng, "a rough wall beside a smooth one", points, threshold, 2, 220)
+    return _case(rng, "a rough wall beside a smooth one", points, threshold, 2, 100)
 
 
 def rough_and_smooth_plane(
@@ -42,7 +42,7 @@ def rough_and_smooth_plane(
     in_plane = scale * wide[:, None] * rng.uniform(-1, 1, (len(offsets), 2))
     axes = np.linalg.qr(rng.normal(size=(3, 3)))[0]
     points = np.column_stack([offsets, in_plane]) @ axes
-    return _case(rng, "a rough plane beside a smooth one", points, threshold, 3, 700)
+    return _case(rng, "a rough plane beside a smooth one", points, threshold, 3, 250)
 
 
 def _offsets(rng: np.random.Generator, threshold: float, scale: float) -> np.ndarray:
