@@ -31,9 +31,9 @@ from autograder.diagnosis.relations import Diagnosis, looks_as_if
 from autograder.exchange.messages import Value
 from autograder.kinds.function.called_otherwise import Call, called_otherwise
 from autograder.kinds.function.marking import Compare, Outcome, agrees
-from autograder.kinds.function.slips import VAGUE, slips
+from autograder.kinds.function.slips import GUARDS, NO_ERROR, VAGUE, slips
 from autograder.kinds.function.trial import mutants_of, outcome_of
-from autograder.kinds.function.words_for_slips import in_words
+from autograder.kinds.function.words_for_slips import OWN_NAMES_EXCHANGED, in_words
 from autograder.language import _
 from autograder.mutants.changed_functions import codes_of, reachable, tree_of, with_changed
 from autograder.mutants.mutant import Mutant, OutOfTime
@@ -61,6 +61,10 @@ class Hypotheses:
         other_clothes: Callable[[], Sequence[Call]] = list,
     ) -> None:
         self._reference, self._cases, self._compare, self._root = reference, cases, compare, root
+        known = (
+            inspect.signature(reference).parameters if isinstance(reference, FunctionType) else ()
+        )
+        self._arguments = {*known}
         self._other_clothes = other_clothes  # loaded when the first name is looked for
         self._made: list[tuple[Mutant, Call]] | None = None
         self._origins: list[Call] = []  # what each of them was made of
@@ -82,10 +86,15 @@ class Hypotheses:
     ) -> Diagnosis | None:
         made = self._changes()
         fitting = list(self._fitting(right, outcomes, verdicts))
+        if _only_errors_are_missing(right, outcomes, verdicts):
+            # A change of a sum that happens to let such inputs pass says nothing of the thought.
+            fitting = [i for i in fitting if made[i][0].operator in GUARDS or self._remark(i)]
+            if not fitting:
+                return Diagnosis(NO_ERROR, looks_as_if(in_words(NO_ERROR)))
         if not fitting:
             return None
         # What says least stands last, what the author remarks first, else as they were made.
-        fitting.sort(key=lambda index: made[index][0].operator in VAGUE)
+        fitting.sort(key=lambda index: self._says_little(made[index][0].operator))
         chosen = next((index for index in fitting if self._remark(index)), fitting[0])
         evidence = "; or ".join(self._evidence(index) for index in fitting[:3])
         return replace(self._said(chosen), evidence=evidence)
@@ -97,9 +106,20 @@ class Hypotheses:
             return Diagnosis(remark, sentence.format(remark=remark))
         mutant = self._changes()[index][0]
         argument = re.match(r"begin with (\w+) = ", mutant.name)
-        words = in_words(mutant.operator, argument[1] if argument else "")
-        name = mutant.operator + (f" ({argument[1]})" if argument else "")
+        operator = mutant.operator
+        if self._exchanges_own_names(operator):
+            operator = OWN_NAMES_EXCHANGED
+        words = in_words(operator, argument[1] if argument else "")
+        name = operator + (f" ({argument[1]})" if argument else "")
         return Diagnosis(name, looks_as_if(words))
+
+    def _says_little(self, operator: str) -> bool:
+        return operator in VAGUE or self._exchanges_own_names(operator)
+
+    def _exchanges_own_names(self, operator: str) -> bool:
+        """Whether it names what only the author's text has: a student may have no such name."""
+        exchanged = re.fullmatch(r"(\w+) and (\w+) exchanged", operator)
+        return exchanged is not None and not {*exchanged.groups()} <= self._arguments
 
     def _fitting(
         self, right: Sequence[Outcome], outcomes: Sequence[Value], verdicts: Sequence[bool]
@@ -231,6 +251,17 @@ class Hypotheses:
         path = inspect.getsourcefile(self._origins[index])
         found = _REMARK.search(linecache.getline(path, mutant.line)) if path else None
         return found[1] if found else ""
+
+
+def _only_errors_are_missing(
+    right: Sequence[Outcome], outcomes: Sequence[Value], verdicts: Sequence[bool]
+) -> bool:
+    """Whether a value came wherever something is wrong, and an exception is asked for there."""
+    wrong = [i for i, verdict in enumerate(verdicts) if not verdict]
+    return bool(wrong) and all(
+        "raised" in right[i] and isinstance(outcomes[i], dict) and "value" in outcomes[i]
+        for i in wrong
+    )
 
 
 def _with_ticks(tree: ast.FunctionDef) -> ast.FunctionDef:

@@ -36,6 +36,22 @@ VAGUE = frozenset(
         "part of a condition left out",
     }
 )
+# What lets an input pass that asks for an error.
+NO_ERROR = "a value for an error"
+GUARDS = frozenset(
+    {
+        NO_ERROR,
+        "raise left out",
+        "branch left out",
+        "statement left out",
+        "part of a condition left out",
+        "and for or",
+        "comparison strict",
+        "comparison loose",
+        "comparison turned round",
+        "nothing returned",
+    }
+)
 _LEFT_OUT = frozenset(
     {"abs", "sqrt", "log", "exp", "ceil", "floor", "unique", "sorted", "sort", "round", "set"}
 )
@@ -104,7 +120,7 @@ def slips(node: ast.AST) -> Iterator[tuple[str, Edit]]:
                 yield f"{a} and {b} exchanged", _returning(exchanged)
         case ast.Raise():
             for value in (None, 0, 1):
-                yield "a value for an error", _returned(value)
+                yield NO_ERROR, _returned(value)
         case ast.Call(func=ast.Attribute(value=of, attr=name), args=args, keywords=keywords):
             for relative in _RELATIVES.get(name, ()):
                 near: ast.expr = ast.Attribute(of, relative, ast.Load())

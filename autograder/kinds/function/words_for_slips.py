@@ -6,7 +6,9 @@ import re
 
 from autograder.language import N_, _
 
+OWN_NAMES_EXCHANGED = "two quantities exchanged"
 _WORDS = {
+    OWN_NAMES_EXCHANGED: N_("two quantities in it have changed places"),
     "comparison strict": N_("a comparison leaves out the case of equality, as `<` does for `<=`"),
     "comparison loose": N_("a comparison lets in the case of equality, as `<=` does for `<`"),
     "comparison turned round": N_("a condition is the wrong way round"),
