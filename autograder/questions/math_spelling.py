@@ -199,6 +199,9 @@ def _check_order(tokens: list[_Token], functions: Collection[str]) -> None:
         if sign in (",", *_OPERATORS) and after.text in ("", ")"):
             sentence = _("This is not finished: nothing follows “{sign}”.")
             raise UsageError(sentence.format(sign=sign))
+        if sign == "!" and after.text == "!":
+            one, other = "factorial(x)", "factorial(factorial(x))"
+            raise UsageError(_(TWO_MEANINGS).format(part="!!", one=one, other=other))
         if sign == "(" and after.text == ")" and before.text not in functions:
             raise UsageError(_("This is not finished: the brackets are empty."))
         alone = after.text not in ("(", "^", "**") and after.kind in ("", "sign")

@@ -39,6 +39,8 @@ def parse(text: str, functions: Collection[str], check_name: CheckName) -> ast.e
     try:
         tree = ast.parse(text, mode="eval").body
     except (SyntaxError, ValueError, RecursionError, MemoryError):
+        if "=" not in text:
+            spelt(text, functions, check_name)  # names the sign at fault, if it finds one
         raise UsageError(_why_no_formula(text)) from None
     if isinstance(tree, ast.Tuple):
         raise UsageError(_("Write one value: “,” makes several of it."))
