@@ -4,17 +4,19 @@ from __future__ import annotations
 
 import csv
 import io
+import re
 from collections.abc import Sequence
 from pathlib import Path
 
 from autograder.errors import CourseError
 
 _LARGEST = 64 * 2**20
+_WITHIN_WORDS = re.compile(r"(?<=([^\W\d_]))(?=([^\x00-\x7f])(.?))", re.DOTALL)
 _SEPARATORS = (",", ";", "\t")
 
 
 def read_text(path: Path) -> str:
-    """The text of a file: UTF-8 or UTF-16 with or without a byte order mark, else Windows' Latin.
+    """The text of a file: UTF-8 or UTF-16 with or without a mark, else of Windows or a Mac.
 
     Raises:
         CourseError: if there is no such file or it cannot be read.
@@ -39,7 +41,19 @@ def decode(data: bytes) -> str:
     try:
         return data.decode("utf-8-sig")
     except UnicodeDecodeError:
-        return data.decode("cp1252", "replace")
+        windows, mac = data.decode("cp1252", "replace"), data.decode("mac-roman")
+        # What Excel on a Mac writes, if Windows' letters make nonsense of it.
+        return mac if _nonsense(windows) > _nonsense(mac) else windows
+
+
+def _nonsense(text: str) -> int:
+    """How often a sign stands within a word, or a capital behind a small letter: MŸller, Gro§."""
+    count = text.count("�")
+    for found in _WITHIN_WORDS.finditer(text):
+        before, sign, after = found.groups()
+        count += not sign.isalpha() if after.isalpha() or sign == "§" else 0
+        count += sign.isupper() and (before.islower() or after.islower())
+    return count
 
 
 def read_rows(text: str) -> list[list[str]]:

@@ -199,6 +199,9 @@ def _check_order(tokens: list[_Token], functions: Collection[str]) -> None:
         if sign in (",", *_OPERATORS) and after.text in ("", ")"):
             sentence = _("This is not finished: nothing follows “{sign}”.")
             raise UsageError(sentence.format(sign=sign))
+        if sign == "!" and after.text == "!":
+            one, other = "factorial(x)", "factorial(factorial(x))"
+            raise UsageError(_(TWO_MEANINGS).format(part="!!", one=one, other=other))
         if sign == "(" and after.text == ")" and before.text not in functions:
             raise UsageError(_("This is not finished: the brackets are empty."))
         alone = after.text not in ("(", "^", "**") and after.kind in ("", "sign")
@@ -293,6 +296,7 @@ def _call(tokens: list[_Token], at: int, functions: Collection[str]) -> tuple[st
         argument, at = _call(tokens, at, functions)
     elif at < len(tokens) and tokens[at].kind != "sign":
         argument, at = tokens[at].text, at + 1
+        _check_end(name, argument, tokens[at : at + 2], functions)
         goes_on = at < len(tokens) and _begins_a_factor(tokens[at])
         if goes_on and tokens[at].text not in functions:
             goes_to = argument if tokens[at].text == "(" else f"{argument}*{tokens[at].text}"
@@ -305,6 +309,19 @@ def _call(tokens: list[_Token], at: int, functions: Collection[str]) -> tuple[st
         return name, at  # alone: the parser says what is wrong
     called = f"{name}({argument})"
     return (f"({called}**{power})" if power else called), at
+
+
+def _check_end(name: str, argument: str, after: list[_Token], functions: Collection[str]) -> None:
+    """Refuse ``sin x^2``, ``sin 2*x`` and ``ln 1/2``: where their argument ends is not plain."""
+    if len(after) < 2:
+        return
+    sign, factor = after[0].text, _shown(after[1], functions)
+    a_number = not argument.isidentifier() or argument in ("pi", "e")
+    product = sign in ("*", "/") and a_number and name != "sqrt"
+    if sign == "**" or (product and after[1].text not in functions):
+        inside, outside = f"{name}({argument}{sign}{factor})", f"{name}({argument}){sign}{factor}"
+        part = f"{name} {argument}{sign}{factor}"
+        raise UsageError(_(TWO_MEANINGS).format(part=part, one=inside, other=outside))
 
 
 def _exponent(tokens: list[_Token], at: int) -> tuple[str, int]:

@@ -22,6 +22,8 @@ _SIGNS = {
     "∼": "~",
     "…": "…",  # not the three points that it folds to
     "′": "'",
+    **dict.fromkeys("º˚", "°"),
+    **dict.fromkeys("„“”«»‹›", '"'),
     "’": "'",
     "٫": ".",
     "⌈": " ceil(",

@@ -52,7 +52,9 @@ def read_number(text: str, variables: Mapping[str, object]) -> int | float:
         raise UsageError(sentence) from None
     if isinstance(value, bool | complex) or not isinstance(value, int | float):
         raise UsageError(_("This is not a number."))
-    if (isinstance(value, int) and value.bit_length() > 1000) or not math.isfinite(value):
+    if isinstance(value, int) and value.bit_length() > 1000:
+        raise UsageError(_("That number is too large."))
+    if not math.isfinite(value):
         raise UsageError(_("This is not a finite number."))
     return value
 

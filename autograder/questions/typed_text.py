@@ -7,6 +7,7 @@ apart by `ast`, so that neither a notebook nor a file of responses can run anyth
 from __future__ import annotations
 
 import ast
+import warnings
 from collections.abc import Callable, Collection, Mapping
 
 from autograder.errors import UsageError
@@ -37,8 +38,11 @@ def parse(text: str, functions: Collection[str], check_name: CheckName) -> ast.e
     if not is_code(text):
         text = spelt(text, functions, check_name)
     try:
-        tree = ast.parse(text, mode="eval").body
+        with warnings.catch_warnings(action="ignore"):  # of Python's, about 1if
+            tree = ast.parse(text, mode="eval").body
     except (SyntaxError, ValueError, RecursionError, MemoryError):
+        if "=" not in text:
+            spelt(text, functions, check_name)  # names the sign at fault, if it finds one
         raise UsageError(_why_no_formula(text)) from None
     if isinstance(tree, ast.Tuple):
         raise UsageError(_("Write one value: “,” makes several of it."))

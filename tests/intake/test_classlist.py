@@ -9,6 +9,7 @@ import pytest
 
 from autograder.errors import CourseError
 from autograder.intake.class_list import ClassList, read_class_list
+from autograder.intake.spreadsheets import decode
 
 TEXT = """
 [assignment]
@@ -122,7 +123,7 @@ MOODLE_TABLES = {
 
 
 @pytest.mark.parametrize("header", MOODLE_TABLES.values(), ids=MOODLE_TABLES)
-@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "cp1252", "utf-16"])
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "cp1252", "mac-roman", "utf-16"])
 def test_moodles_tables_are_read_in_its_languages(tmp_path: Path, header: str, encoding: str):
     text = f"{header}\r\nZoë;Núñez;S-7;zoe@example.org;Di\r\n"
     path = tmp_path / "participants.csv"
@@ -130,6 +131,20 @@ def test_moodles_tables_are_read_in_its_languages(tmp_path: Path, header: str, e
     (person,) = read_class_list(path).students
     found = (person.name, person.sis_id, person.email, person.section)
     assert found == ("Zoë Núñez", "S-7", "zoe@example.org", "Di")
+
+
+@pytest.mark.parametrize("encoding", ["cp1252", "mac-roman"])
+@pytest.mark.parametrize(
+    "text",
+    ["Müller;Groß", "MÜLLER;GRÖSSE", "Jürgen;Özil", "René;François", "Søren Håkon", "Peña;José"],
+)
+def test_letters_of_windows_and_of_a_mac_are_told_apart(text: str, encoding: str):
+    assert decode(f"name;first\r\n{text}\r\n".encode(encoding)) == f"name;first\r\n{text}\r\n"
+
+
+@pytest.mark.parametrize("text", ["gut – „so“", "a ‘b’ – c…", "Škoda;Žižek", "5 € für Müller"])
+def test_signs_of_windows_are_not_taken_for_letters_of_a_mac(text: str):
+    assert decode(text.encode("cp1252")) == text
 
 
 @pytest.mark.parametrize(
