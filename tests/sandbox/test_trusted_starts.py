@@ -45,7 +45,10 @@ def test_outside_of_the_sandbox_no_module_of_the_course_is_imported(tmp_path):
     package = str(zygote_start._PACKAGE.parent)
     environment = {**os.environ, "PYTHONPATH": f"{tmp_path}{os.pathsep}{package}"}
     subprocess.run(
-        [sys.executable, "-P", "-m", "autograder.sandbox.inside.warm_imports"],
+        [
+            *(sys.executable, "-P", "-m", "autograder.sandbox.inside.warm_imports"),
+            str(tmp_path / "modules.txt"),
+        ],
         env=environment,
         check=True,
     )
