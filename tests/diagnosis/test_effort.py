@@ -106,6 +106,32 @@ def test_a_helper_that_never_ends_is_left():
         raise AssertionError("The change that never ends was not made.")
 
 
+SEARCHES: list[int] = []
+
+
+def count_by_searching(things, least):
+    """Each turn of its loop is a search, which runs many lines."""
+    found = 0
+    while len(things) >= least:
+        SEARCHES.append(sum(thing for _ in range(100) for thing in things))
+        things = things[1:]
+        found += 1
+    return found
+
+
+def test_what_never_ends_is_left_after_so_many_turns_however_much_a_turn_costs():
+    """Counted in lines, thousands of searches were allowed for each change that never ends."""
+    known = Hypotheses(count_by_searching, cases(([4, 5, 6], 2)), close, ROOT)
+    most = 0
+    for index in range(len(known._changes())):
+        known._turns_by_case(known._origins[index])
+        SEARCHES.clear()
+        known._outcome(index, 0, {"value": 2})
+        most = max(most, len(SEARCHES))
+    turns = 2
+    assert hypotheses._TURNS_AT_LEAST < most <= hypotheses._TURNS_AT_LEAST + 20 * turns
+
+
 def test_every_change_can_be_said_in_words():
     """In right work of every style: one that cannot would cost its whole question all names."""
     marker = Marker(load_course(ROOT), 5)

@@ -21,6 +21,7 @@ import linecache
 import re
 import threading
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from functools import partial, wraps
 from pathlib import Path
@@ -43,7 +44,7 @@ _MOST_LINES = 20_000_000  # for one response, as if it were the first
 _A_COMPARISON = 50
 _NEVER_ENDS = 1_000_000  # lines of right work for a case
 _SLOW = 300_000  # for right work in other clothes on all cases: it is not changed if it takes more
-_TIMES_AS_MANY = 20  # turns of loops as the reference has lines, that a mutant may take
+_TIMES_AS_MANY = 20  # turns of loops as what it was made of takes, that a mutant may take
 _TURNS_AT_LEAST = 1000
 _REMARK = re.compile(r"#\s*names:\s*(.+?)\s*$")
 _LOST: Outcome = {"unusable": "not plain"}
@@ -71,6 +72,7 @@ class Hypotheses:
         self._outcomes: dict[tuple[int, int], tuple[Outcome, bool]] = {}
         self._lines: list[int] = []  # that the reference runs, by case
         self._turns = 0  # of loops, that are left to the mutant that runs
+        self._usual_turns: dict[Call, list[int]] = {}  # of right work, by case
         self._names = {"_tick": self._tick}  # what a function calls in each turn of its loops
         self._lock = threading.Lock()
 
@@ -164,17 +166,34 @@ class Hypotheses:
 
     def _outcome(self, index: int, case: int, right: Outcome) -> tuple[Outcome, bool]:
         if (index, case) not in self._outcomes:
-            outcome = self._run(self._changes()[index][1], case)
+            outcome = self._run(index, case)
             is_right = agrees(self._compare, self._cases[case], right, outcome)
             self._outcomes[index, case] = outcome, is_right
         return self._outcomes[index, case]
 
-    def _run(self, call: Call, case: int) -> Outcome:
-        self._turns = _TURNS_AT_LEAST + _TIMES_AS_MANY * self._lines_by_case()[case]
+    def _run(self, index: int, case: int) -> Outcome:
+        usual = self._turns_by_case(self._origins[index])[case]
+        self._turns = _TURNS_AT_LEAST + _TIMES_AS_MANY * usual
         try:
-            return outcome_of(call, self._cases[case])
+            return outcome_of(self._changes()[index][1], self._cases[case])
         except (OutOfTime, MemoryError):
             return _LOST
+
+    def _turns_by_case(self, function: Call) -> list[int]:
+        """How many turns the loops of right work take.
+
+        A turn may cost much more than a line: of a loop around RANSAC each is a whole search.
+        """
+        if function not in self._usual_turns:
+            counting = self._counting(function) if isinstance(function, FunctionType) else function
+            taken = []
+            for case in self._cases:
+                self._turns = _NEVER_ENDS
+                with suppress(OutOfTime):
+                    outcome_of(counting, case)
+                taken.append(_NEVER_ENDS - max(0, self._turns))
+            self._usual_turns[function] = taken
+        return self._usual_turns[function]
 
     def _lines_by_case(self) -> list[int]:
         if not self._lines:
