@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import os
 import subprocess
 import sys
@@ -49,3 +50,9 @@ def compile_libraries() -> None:
         )
         lines = imported.read_text(encoding="utf-8", errors="surrogateescape").splitlines()
         keep_imported(map(Path, lines))
+
+
+@functools.cache
+def compile_libraries_once() -> None:
+    """`compile_libraries`, but only for the first sandbox of a process: it looks at many files."""
+    compile_libraries()

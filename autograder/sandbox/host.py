@@ -16,7 +16,7 @@ from autograder.course import Settings
 from autograder.errors import AutograderError, MachineError, machine_error, short_of
 from autograder.exchange.channel import Channel
 from autograder.exchange.messages import Message
-from autograder.sandbox.compiled_libraries import compile_libraries
+from autograder.sandbox.compiled_libraries import compile_libraries_once
 from autograder.sandbox.control_group import ControlGroup
 from autograder.sandbox.own_folder import OwnFolder
 from autograder.sandbox.own_user import OwnIdentity
@@ -47,7 +47,7 @@ class Host:
         self._ended_before = 0  # by the kernel, for memory, in notebooks before this one
         try:
             stage(root, self._folder)
-            compile_libraries()
+            compile_libraries_once()
             place = Place(root, settings, self._folder, self._identity, self._group)
             zygote = start_inside(place) if with_namespaces else start_beside(place)
         except BaseException as error:

@@ -33,7 +33,7 @@ def stale_modules() -> Iterator[Path]:
     One that cannot be written is left out: nothing would be gained by compiling it again.
     """
     for path in _imported():
-        if path.is_file() and not is_compiled(path) and _can_be_written(path.parent):
+        if not is_compiled(path) and path.is_file() and _can_be_written(path.parent):
             yield path
 
 
@@ -81,9 +81,12 @@ def _imported() -> Iterator[Path]:
 def is_compiled(source: Path) -> bool:
     """Whether Python will take the compiled form of a module as it is."""
     try:
-        with open(importlib.util.cache_from_source(str(source)), "rb") as compiled:
-            header = compiled.read(_HEADER)
-        of_source = source.stat()
+        compiled = os.open(importlib.util.cache_from_source(str(source)), os.O_RDONLY)
+        try:
+            header = os.read(compiled, _HEADER)
+        finally:
+            os.close(compiled)
+        of_source = os.stat(source)
     except OSError:
         return False
     if len(header) < _HEADER or header[:4] != importlib.util.MAGIC_NUMBER:

@@ -56,7 +56,7 @@ def test_outside_of_the_sandbox_no_module_of_the_course_is_imported(tmp_path):
 
 
 def test_starting_a_sandbox_imports_nothing_from_the_current_folder(trapped, course, monkeypatch):
-    monkeypatch.setattr(host, "compile_libraries", lambda: None)
+    monkeypatch.setattr(host, "compile_libraries_once", lambda: None)
     started = host.Host(course.root, course.settings, with_namespaces=False)
     try:
         started.wait_until_ready()
