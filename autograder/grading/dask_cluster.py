@@ -177,8 +177,8 @@ class DaskCluster:
         self._bytes -= len(sent.data)
         error = self._error_of(future)
         future.release()
-        # Whatever the future says: once its worker has died, that the result is lost, though it
-        # was fetched before.
+        # The status does not count here: once a worker has died, Dask calls all its results lost,
+        # those that were fetched before too.
         if isinstance(result, bytes):
             came = unpack_result(result, sent.task.submission)
             if isinstance(came, Graded):

@@ -121,7 +121,7 @@ class Session:
             "seconds": seconds,
             "most": int(self._settings.output_mb * 2**20),
         }
-        talk = self._talk()
+        talk = self._open_conversation()
         answer = talk.ask(message, seconds, time.monotonic() + seconds * PATIENCE + GRACE)
         if "reply" not in answer and talk.was_interrupted:
             raise Stopped("timeout")
@@ -138,7 +138,7 @@ class Session:
         end = min(time.monotonic() + settings.notebook_seconds * PATIENCE, self._deadline)
         began, had_before = time.monotonic(), self._doubt.own_seconds
         while True:
-            talk = self._talk()
+            talk = self._open_conversation()
             # What processes that had to be stopped have had is not given again; what they waited
             # for a processor is no loss.
             had = self._doubt.own_seconds - had_before
@@ -188,8 +188,8 @@ class Session:
         self._restarts_left -= 1
         self._open()
 
-    def _talk(self) -> Conversation:
-        """The conversation that goes on, or a new one."""
+    def _open_conversation(self) -> Conversation:
+        """The conversation that is open, or a new one."""
         if self._conversation is not None and self._conversation.is_open:
             return self._conversation
         return self._open()
