@@ -95,14 +95,14 @@ def only_entry(response: object) -> object:
     """The ``x`` of ``[x]``, ``{x}``, a 1 × 1 matrix, or whatever else sympy's solvers return.
 
     Raises:
-        Unusable: if there are several.
+        Unusable: if there are several, or none.
     """
     for _ in range(MAX_DEPTH):
         held = _entries(response)
         if held is None:
             return response
         if len(held) != 1:
-            raise Unusable("several")
+            raise Unusable("several" if held else "empty")
         response = next(iter(held))
     raise Unusable("not plain")  # a list that contains itself
 
