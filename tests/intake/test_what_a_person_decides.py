@@ -223,6 +223,35 @@ def test_what_only_the_submission_says_is_a_hint_and_costs_nothing(school: Class
     assert entry["percent_off"] == 40
 
 
+@pytest.mark.parametrize(
+    "packed", [b"2026-11-19T10:00:00+00:00", b"2026-11-24T00:00:00+00:00", b""]
+)
+def test_canvas_word_that_it_is_late_holds_beside_the_time_in_the_zip(school: Class, packed: bytes):
+    """A student can pack in time and upload late, and can write any time into the zip."""
+    data = zipped({"3_orchard.ipynb": BOOK, **({"submitted.txt": packed} if packed else {})})
+    put(school.work / "booleGeorge_LATE_7_100_submission.zip", data)
+    put(school.work / "curiemarie_8_101_submission.zip", data)
+    told = school.intake()
+    assert told["late"] == (2 if b"-24T" in packed else 1)
+    entry = school.of(told, "booleGeorge")
+    assert entry["called_late"]
+    assert entry["percent_off"] == 0
+    (said,) = [warning for warning in told["warnings"] if "booleGeorge" in warning]
+    assert "late" in said
+    assert "--times FILE" in said
+
+
+def test_the_table_shows_canvas_word_that_it_is_late_at_the_time_in_the_zip(
+    school: Class, capsys: pytest.CaptureFixture[str]
+):
+    packed = {"3_orchard.ipynb": BOOK, "submitted.txt": b"2026-11-19T10:00:00+00:00"}
+    put(school.work / "booleGeorge_LATE_7_100_submission.zip", zipped(packed))
+    assert main(["--course", str(school.course.root), "intake", str(school.work)]) == 0
+    told = " ".join(capsys.readouterr().out.split())
+    assert "called late" in told
+    assert "1 handed in, 0 unreadable, 1 late" in told
+
+
 def test_a_time_that_cannot_be_read_is_named(school: Class):
     times_of(school, "2026-11-19T10:00Z", "3/4/2026 10:00", "2026-11-18T10:00Z")
     status, _ = school.run("intake")
