@@ -136,7 +136,9 @@ def test_a_dry_run_of_mail_says_who_would_get_it_and_writes_nothing(listed: Clas
 
 def test_work_that_moodle_never_named_is_left_out_of_its_zip(classroom: Classroom, capsys):
     assert classroom.run("feedback", "--for", "moodle") == 1
-    assert "no participant number" in capsys.readouterr().err
+    error = capsys.readouterr().err
+    assert "The feedback of 3 students (=curie, ada, boole) goes to nobody" in error
+    assert error.count("no participant number") == 1
     with zipfile.ZipFile(classroom.grades / "feedback_for_moodle.zip") as archive:
         assert archive.namelist() == []
 
