@@ -50,7 +50,7 @@ def test_a_student_is_found_by_whatever_an_instructor_knows(listed: Classroom, c
     assert (shown["student"], shown["name"]) == ("ada", "Ada Lovelace")
 
 
-@pytest.mark.parametrize("said", ["Lovelac", "Lövelac"])  # as on a keyboard with other accents
+@pytest.mark.parametrize("said", ["Lovelac", "Lövelac", "Loevelac"])  # as on another keyboard
 def test_a_name_that_fits_nobody_says_who_is_near(listed: Classroom, capsys, said: str):
     assert listed.run("show", said) == 2
     assert "Ada Lovelace (ada)" in capsys.readouterr().err

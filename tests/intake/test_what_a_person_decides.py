@@ -87,6 +87,22 @@ def test_the_line_that_is_printed_for_a_doubtful_name_settles_it(school: Class):
 
 
 @pytest.mark.parametrize(
+    ("file", "listed"),
+    [("Joerg Mueller", "Jörg Müller"), ("Lukasz Wojcik", "Łukasz Wójcik"), ("Soren A", "Søren A")],
+)
+def test_a_name_typed_on_another_keyboard_is_suggested_and_never_taken(
+    school: Class, file: str, listed: str
+):
+    people = f"Name,Login\n{listed},theirs\nMarie Curie,curie\n"
+    school.lists = [put(school.root / "people.csv", people.encode())]
+    school.hand_in(f"{file}.zip")
+    entry = school.of(school.intake(), file)
+    assert entry["person"] is None
+    assert f"it may be {listed} (theirs)" in entry["reason"]
+    assert entry["settle"] == f'"{file}.zip" = "theirs"'
+
+
+@pytest.mark.parametrize(
     ("said", "logins"),
     [
         ("curie", ["curie"]),
