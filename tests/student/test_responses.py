@@ -175,5 +175,5 @@ def test_a_file_that_cannot_be_read_for_a_moment_is_no_damaged_one(
 
 def test_a_name_that_cannot_be_kept_is_called_a_name(tmp_path: Path):
     (tmp_path / "responses").write_text("a file in the folder's place")
-    with pytest.raises(ResponsesError, match="^Your name was NOT saved"):
+    with pytest.raises(ResponsesError, match=r"^Your name was NOT saved"):
         Responses(tmp_path / "responses", FILE).update(FILE, lambda entry: {"response": "Ada"})
