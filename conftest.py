@@ -107,7 +107,7 @@ def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Begin with what takes long; mark what is quick; try a test once more that watches real
-    processes or a browser.
+    processes, a cluster's workers or a browser.
 
     Their limits are wall time: on a machine that others use too, one may come too late once. A
     real fault fails twice.
@@ -117,5 +117,5 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     for item in items:
         if item.path.parent.name in _QUICK and item.path.name not in _NOT_QUICK:
             item.add_marker(pytest.mark.quick)
-        if {"browser", "sandbox"} & set(item.path.parts):
+        if {"browser", "sandbox"} & set(item.path.parts) or "cluster" in item.path.name:
             item.add_marker(pytest.mark.flaky(reruns=int(os.environ.get("TEST_RERUNS", "1"))))

@@ -46,6 +46,7 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
     found = drop_folder.collect(parsed.drop, settings.submission_mb * 2**20, parsed.trust_names)
     try:
         new = list(drop_folder.write_class(found, parsed.out))
+        gone = drop_folder.withdrawn(found, parsed.out)
     except OSError as error:
         raise AutograderError(
             f"{parsed.out} cannot be written: {error.strerror or error}."
@@ -57,6 +58,9 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
             markup=False,
             soft_wrap=True,
         )
+    for name in sorted(gone):
+        sentence = f"{printable(name)} was collected before and is in the drop folder no more"
+        warn(f"{sentence}; it stays in {parsed.out} with its time, unless you delete it")
     for reason in found.left:
         warn(f"not taken: {printable(reason)}")
     console.print(

@@ -42,6 +42,7 @@ from autograder.reports.terminal import (
     warn,
 )
 from autograder.reports.write import Options, write_reports
+from autograder.sandbox.stale_bytecode import never_renewed
 
 
 def grade_and_report(
@@ -70,6 +71,14 @@ def grade_and_report(
                 "--no-sandbox: nothing holds student code back. It can read and change your files, "
                 "and use your network, as you can. Every report says so."
             )
+        )
+    if folder := never_renewed():
+        warn(
+            _(
+                "The compiled modules in {folder} are missing or older than their sources, and you "
+                "may not write there: every start compiles them anew, for some seconds. Whoever "
+                "may write there ends that by: {command}"
+            ).format(folder=folder, command=f'python -m compileall -q "{folder}"')
         )
     people = {row.submission.student: row.match.people for row in summary.rows if row.match.people}
     if not wanted.trial:

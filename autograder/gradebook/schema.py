@@ -119,7 +119,7 @@ def connect(path: Path, create: bool) -> sqlite3.Connection:
     for name in ("", "-wal", "-shm", "-journal"):
         refuse_link(path.with_name(path.name + name))
     with readable_errors(path):
-        path.parent.mkdir(parents=True, exist_ok=True)
+        path.parent.mkdir(0o700, parents=True, exist_ok=True)  # others read no grades
         mode = "rwc" if create else "rw"
         db = sqlite3.connect(
             f"file:{quote(str(path.absolute()))}?mode={mode}",

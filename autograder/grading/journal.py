@@ -63,7 +63,7 @@ class Journal:
         self._deaths: Counter[str] = Counter()
         refuse_link(path)
         try:
-            path.parent.mkdir(parents=True, exist_ok=True)
+            path.parent.mkdir(0o700, parents=True, exist_ok=True)  # others read no grades
             flags = os.O_RDWR | os.O_CREAT | os.O_APPEND | getattr(os, "O_NOFOLLOW", 0)
             self._file = os.open(path, flags, 0o600)
             if not self._is_ours():

@@ -14,6 +14,7 @@ import re
 import stat
 import unicodedata
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from pathlib import Path
@@ -62,12 +63,13 @@ def collect(folder: Path, most: int, trust_names: bool = False) -> Collected:
         raise UsageError(f"{folder} cannot be read: {error.strerror or error}.") from None
     taken: list[Dropped] = []
     left: list[str] = []
+    shared = _have_one_owner(folder, names)
     for name in names:
         if name.endswith(".part"):
             left.append(f"{name}: it was not finished; collect again in a minute")
             continue
         try:
-            taken.append(_take(folder / name, most, trust_names))
+            taken.append(_take(folder / name, most, trust_names, shared))
         except (UsageError, OSError) as error:
             left.append(f"{name}: {getattr(error, 'strerror', None) or error}")
     newest: dict[str, Dropped] = {}
@@ -84,7 +86,16 @@ def name_in_files(login: str) -> str:
     return safe.replace(".", "%2E", 1) if safe.startswith(".") else safe
 
 
-def _take(path: Path, most: int, trust_names: bool) -> Dropped:
+def _have_one_owner(folder: Path, names: list[str]) -> bool:
+    """Whether all files are one user's: then it may be a hub's that runs everybody."""
+    owners = set()
+    for name in names:
+        with suppress(OSError):
+            owners.add((folder / name).lstat().st_uid)
+    return len(owners) == 1
+
+
+def _take(path: Path, most: int, trust_names: bool, shared: bool) -> Dropped:
     # Neither a link to somebody else's file nor a pipe that nobody ever writes to is followed.
     flags = os.O_RDONLY | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0)
     if path.is_symlink():
@@ -105,10 +116,8 @@ def _take(path: Path, most: int, trust_names: bool) -> Dropped:
         raise UsageError("it was not made by submit()")
     owner = _owner(found.st_uid)
     if owner is not None and owner not in _accounts(login) and not trust_names:
-        raise UsageError(
-            f"it is called {login}'s and belongs to {owner}; if your hub runs everybody as "
-            f"{owner}, collect with --trust-names"
-        )
+        advice = f"; if your hub runs everybody as {owner}, collect with --trust-names"
+        raise UsageError(f"it is called {login}'s and belongs to {owner}{advice if shared else ''}")
     return Dropped(login, path.name, content, datetime.fromtimestamp(found.st_ctime, UTC))
 
 
@@ -138,10 +147,13 @@ def _owner(user: int) -> str | None:
 def write_class(collected: Collected, folder: Path) -> Iterator[str]:
     """Write one zip a login and ``times.csv``, as ``grade`` reads them; yield what is new.
 
+    A folder that is made here is its owner's alone. What was collected before and has been taken
+    out of the drop folder since then stays, with its time.
+
     Raises:
         OSError: if the folder cannot be written.
     """
-    folder.mkdir(parents=True, exist_ok=True)
+    folder.mkdir(0o700, parents=True, exist_ok=True)
     for entry in collected.newest:
         target = folder / f"{entry.login}.zip"
         if not target.exists() or target.read_bytes() != entry.content:
@@ -149,9 +161,26 @@ def write_class(collected: Collected, folder: Path) -> Iterator[str]:
             unfinished.write_bytes(entry.content)
             os.replace(unfinished, target)
             yield entry.login
+    times = withdrawn(collected, folder)
+    for entry in collected.newest:
+        times[f"{entry.login}.zip"] = entry.time.isoformat(timespec="seconds")
     table = io.StringIO()
     rows = csv.writer(table, lineterminator="\n")
     rows.writerow(("file", "time"))
-    for entry in collected.newest:
-        rows.writerow((f"{entry.login}.zip", entry.time.isoformat(timespec="seconds")))
+    rows.writerows(sorted(times.items()))
     (folder / TIMES).write_text(table.getvalue(), encoding="utf-8", newline="\n")
+
+
+def withdrawn(collected: Collected, folder: Path) -> dict[str, str]:
+    """The times, by file, of what was collected before and is in the drop folder no more."""
+    try:
+        with (folder / TIMES).open(encoding="utf-8", newline="") as file:
+            known = {row["file"]: row["time"] for row in csv.DictReader(file)}
+    except (OSError, ValueError, KeyError, csv.Error):
+        return {}
+    there = {f"{entry.login}.zip" for entry in collected.newest}
+    return {
+        name: time
+        for name, time in known.items()
+        if name and time and name not in there and (folder / name).is_file()
+    }

@@ -41,6 +41,10 @@ TWO_MEANINGS = N_("“{part}” has two meanings; write {one} or {other}.")
 _LOOK_ALIKES = str.maketrans(
     "асеорхуѕАВЕКМНОРСТХΑΒΕΖΗΙΚΜΝΟΡΤΥΧ", "aceopxysABEKMHOPCTXABEZHIKMNOPTYX"
 )
+# A power of ten whose small digits became large ones on their way through the clipboard.
+_LOST_POWER = re.compile(
+    r"(?<![\w.,])(\d+(?:[.,]\d+)?) ?[×⋅·∙•✕✖⨯xX] ?10[-−–—‒‐‑](\d{1,2})(?![\w.,])"
+)
 _WRAPPED = re.compile(r"\$\$?(.*?)\$?\$|\\\((.*)\\\)|\\\[(.*)\\\]|`+(.*?)`+", re.DOTALL)
 
 
@@ -57,13 +61,16 @@ def plain(text: str) -> str:
     """The text in the characters of a plain keyboard.
 
     Raises:
-        UsageError: if a point or a fraction behind a number has two meanings.
+        UsageError: if a point, a fraction behind a number, or 10-2 behind a cross has two meanings.
     """
     text = text.translate(_LOOK_ALIKES).replace("...", "…").replace("+/-", "±")
     text = re.sub(r"(?<=\d)[٬'’](?=\d{3})", "'", text)
     if found := re.search(r"(?<![\w.,])0[·⋅∙•](\d+)", text):
         sentence = _(TWO_MEANINGS)
         raise UsageError(sentence.format(part=found[0], one=f"0.{found[1]}", other=f"0*{found[1]}"))
+    if found := _LOST_POWER.search(text):
+        one, other = f"{found[1]}*10^-{found[2]}", f"{found[1]}*10 - {found[2]}"
+        raise UsageError(_(TWO_MEANINGS).format(part=found[0], one=one, other=other))
     text = _raised(text)
     made: list[str] = []
     for at, sign in enumerate(text):

@@ -71,8 +71,10 @@ def _parts() -> list[Finding]:
     """What the kinds of isolation are made of."""
     from autograder.sandbox import bubblewrap, landlock, seccomp
     from autograder.sandbox.control_group import parent_group
+    from autograder.sandbox.stale_bytecode import never_renewed
 
     groups = parent_group()
+    stale = never_renewed()
     program = bubblewrap.find_bubblewrap()
     version = landlock.version()
     known = seccomp.build_filter() is not None
@@ -106,6 +108,15 @@ def _parts() -> list[Finding]:
             if groups
             else "Where systemd runs: systemd-run --user --scope -p Delegate=yes "
             "autograder grade ...",
+        ),
+        Finding(
+            "compiled modules",
+            stale is None,
+            f"Those in {stale} are missing or older than their sources and may not be written: "
+            "every start compiles them anew, for some seconds."
+            if stale
+            else "Those of the libraries are of use, or are made at the next start.",
+            f'Whoever may write there: python -m compileall -q "{stale}"' if stale else "",
         ),
     ]
 

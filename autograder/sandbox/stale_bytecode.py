@@ -37,6 +37,14 @@ def stale_modules() -> Iterator[Path]:
             yield path
 
 
+def never_renewed() -> Path | None:
+    """The folder of libraries that every start compiles anew, since it may not be written."""
+    for folder, path in _samples():
+        if path.is_file() and not is_compiled(path) and not _can_be_written(path.parent):
+            return folder
+    return None
+
+
 def are_known() -> bool:
     """Whether it is known which modules a sandbox imports, or cannot be kept."""
     kept = _kept()
@@ -71,11 +79,17 @@ def _imported() -> Iterator[Path]:
         lines = _kept().read_text(encoding="utf-8", errors="surrogateescape").splitlines()
         yield from map(Path, lines)
         return
+    yield from (path for _, path in _samples())
+
+
+def _samples() -> Iterator[tuple[Path, Path]]:
+    """Some modules of the libraries, each with the folder in which its library is installed."""
     for name, modules in _LOOKED_AT.items():
         found = importlib.util.find_spec(name)
         if found is None or found.origin is None:
             continue
-        yield from (Path(found.origin).parent / module for module in modules)
+        library = Path(found.origin).parent
+        yield from ((library.parent, library / module) for module in modules)
 
 
 def is_compiled(source: Path) -> bool:

@@ -12,7 +12,7 @@ from autograder.course import Chapter, Course
 from autograder.exchange.responses import RECEIPT, Entry
 from autograder.intake.notebook_reader import Unreadable, read_notebook
 from autograder.questions.registry import kind_of
-from autograder.student.responses import notebooks_folder
+from autograder.student.course_path import notebooks_folder
 
 __all__ = ["RECEIPT", "receipt", "rescued_entries"]
 

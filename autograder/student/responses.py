@@ -11,25 +11,17 @@ from pathlib import Path
 
 from filelock import FileLock, Timeout
 
-from autograder.course.folders import NOTEBOOKS
 from autograder.errors import AutograderError
+from autograder.exchange.identity import FILE
 from autograder.exchange.responses import Entry
 from autograder.language import _, n_
+from autograder.student.course_path import notebooks_folder
 
 LOCK_SECONDS = 10.0
 
 
 class ResponsesError(AutograderError):
     """A response could not be kept."""
-
-
-def notebooks_folder(course_root: Path) -> Path:
-    """The folder of the notebook that is running, or else the course's own notebooks.
-
-    A notebook's kernel runs in the notebook's folder.
-    """
-    here = Path.cwd()
-    return here if any(here.glob("*.ipynb")) else course_root / NOTEBOOKS
 
 
 def responses_folder(course_root: Path) -> Path:
@@ -96,9 +88,12 @@ class Responses:
                 self._write(entries)
                 return entries[id]
         except (OSError, Timeout) as error:
-            raise ResponsesError(
-                self._refusal(_("Your response to {question}").format(question=id), error)
-            ) from None
+            what = (
+                _("Your response to {question}").format(question=id)
+                if id != FILE
+                else _("Your name")
+            )
+            raise ResponsesError(self._refusal(what, error)) from None
 
     def mend(self) -> str:
         """Put right a damaged or missing file as far as possible, and say what was done.

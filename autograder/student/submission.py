@@ -13,11 +13,11 @@ from pathlib import Path, PurePosixPath
 from typing import Any
 
 from autograder.course import Course
-from autograder.course.folders import NOTEBOOKS
 from autograder.errors import AutograderError
 from autograder.exchange.identity import FILE
 from autograder.intake.notebook_reader import SUBMITTED, Unreadable, read_notebook
 from autograder.language import _
+from autograder.student.course_path import notebooks_folder
 
 _ASKS = re.compile(r"^me\(", re.MULTILINE)
 
@@ -42,7 +42,7 @@ def pack_submission(
     Raises:
         AutograderError: if there is no notebook to hand in or the zip cannot be written.
     """
-    folder = Path.cwd() if any(Path.cwd().glob("*.ipynb")) else course.root / NOTEBOOKS
+    folder = notebooks_folder(course.root)
     notebooks = sorted(path for path in folder.glob("*.ipynb") if _is_of_the_course(path, course))
     if not notebooks:
         raise AutograderError(

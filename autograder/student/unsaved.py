@@ -20,8 +20,14 @@ from pathlib import Path, PurePosixPath
 from typing import Protocol
 from urllib.parse import unquote, urlsplit
 
+from autograder.errors import CourseError
 from autograder.exchange.building import BUILDING
 from autograder.language import N_, _
+from autograder.student.course_path import (
+    course_of_notebook,
+    notebook_folder,
+    notebooks_folder,
+)
 from autograder.student.frontend import VSCODE_FILE, current_cell, deleted_cells, running_shell
 
 HOW = N_("Save the notebook (Ctrl+S, on a Mac ⌘S) and run `submit()` again")
@@ -84,9 +90,18 @@ def _remember(info: CellInfo) -> None:
 
 def remember(cell: str | None, source: str, folder: Path | None = None) -> None:
     """Note that a cell with this source is run now, in the folder of its notebook."""
-    versions = {path.name: version for path, version in _notebooks(folder or Path.cwd())}
+    versions = {path.name: version for path, version in _notebooks(folder or _watched())}
     source = _as_compared(source)
+    _runs.pop(cell or source, None)  # the last run comes last
     _runs[cell or source] = Run(cell, source, versions)
+
+
+def _watched() -> Path:
+    """The folder whose notebooks are handed in."""
+    try:
+        return notebooks_folder(course_of_notebook())
+    except CourseError:
+        return notebook_folder()
 
 
 def _as_compared(source: str) -> str:

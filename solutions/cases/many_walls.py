@@ -15,7 +15,7 @@ def many_walls(rng: np.random.Generator) -> Case:
     No line across them has as many points as the largest wall that is left.
     """
     counts = (88, 55, 34, 21, 13, 8, 5)
-    iterations = 150
+    iterations = 120
     walls = [
         np.column_stack([np.full(count, 3.0 + 0.3 * k), np.sort(rng.uniform(-2, 2, count))])
         for k, count in enumerate(counts)

@@ -104,13 +104,13 @@ def ransac_line_cases(rng: np.random.Generator) -> list[Case]:
             small,
             1.0,
             far=50,
-            iterations=200,
+            iterations=150,
             mixed=True,
         ),
-        _wall(rng, "a large room", 2.0, large, 20.0, far=25),
-        _wall(rng, "a wall behind", -2.6, small, 1.0),
-        _wall(rng, "a vertical wall", 0.0, large, 20.0),
-        _wall(rng, "outliers on one side only", 1.2, small, 1.0, far=30, sides=1, iterations=140),
+        _wall(rng, "a large room", 2.0, large, 20.0, far=25, iterations=85),
+        _wall(rng, "a wall behind", -2.6, small, 1.0, iterations=65),
+        _wall(rng, "a vertical wall", 0.0, large, 20.0, iterations=70),
+        _wall(rng, "outliers on one side only", 1.2, small, 1.0, far=30, sides=1, iterations=90),
         # 40 equal points, such as the robot's own bumper: a pair of them is no line.
         _wall(rng, "many points in one spot", -0.8, small, 1.0, far=0, spot=35, iterations=120),
         _wall(
@@ -119,8 +119,8 @@ def ransac_line_cases(rng: np.random.Generator) -> list[Case]:
             2.0,
             small,
             1.0,
-            far=130,
-            iterations=320,
+            far=114,
+            iterations=240,
             crowd=True,
         ),
         *(_wall_and_two_patches(rng) for _ in range(3)),
@@ -258,7 +258,7 @@ def _wall_and_two_patches(rng: np.random.Generator) -> Case:
 
     The wall has one point more, but hardly any two of its points have all others between them.
     """
-    threshold, iterations = 0.02, 120
+    threshold, iterations = 0.02, 70
     wall = np.column_stack([np.linspace(-3, 3, 29), np.full(29, 2.0)])
     patches = np.repeat([[4.5, -1.0], [4.5, -3.0]], 14, axis=0)
     patches = patches + rng.uniform(-0.3, 0.3, (28, 2)) * threshold

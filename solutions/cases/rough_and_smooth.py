@@ -42,7 +42,7 @@ def rough_and_smooth_plane(
     in_plane = scale * wide[:, None] * rng.uniform(-1, 1, (len(offsets), 2))
     axes = np.linalg.qr(rng.normal(size=(3, 3)))[0]
     points = np.column_stack([offsets, in_plane]) @ axes
-    return _case(rng, "a rough plane beside a smooth one", points, threshold, 3, 250)
+    return _case(rng, "a rough plane beside a smooth one", points, threshold, 3, 280)
 
 
 def _offsets(rng: np.random.Generator, threshold: float, scale: float) -> np.ndarray:

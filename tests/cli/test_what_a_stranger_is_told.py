@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from autograder.cli import main
+from autograder.cli import grading_run, main
 from tests.toy import Toy
 
 
@@ -38,3 +38,14 @@ def test_a_check_says_that_the_notebooks_are_older_than_the_masters(
     said = capsys.readouterr().out
     assert "notebooks/1_kitchen.ipynb is not what the masters give: autograder build." in said
     assert said.endswith("The course is sound: 6 questions prove themselves.\n")
+
+
+def test_libraries_that_every_start_compiles_anew_are_named_when_grading(
+    classroom, monkeypatch, capsys
+):
+    """As in an environment that was copied and may not be written, on a shared machine."""
+    monkeypatch.setattr(grading_run, "never_renewed", lambda: Path("/srv/python/site-packages"))
+    assert classroom.run("grade", str(classroom.work)) == 0
+    said = " ".join(capsys.readouterr().err.split())
+    assert "python -m compileall -q" in said
+    assert "/srv/python/site-packages" in said

@@ -1,5 +1,6 @@
 """A gradebook whose entries are broken, or a link in its place, is told in one sentence."""
 
+import os
 import sqlite3
 from contextlib import closing
 from pathlib import Path
@@ -105,3 +106,16 @@ def test_links_in_place_of_reports_are_replaced(root, tmp_path):
     assert main(["--course", str(root / "course"), *grade]) == 0
     assert victim.read_text() == "precious"
     assert not any((out / name).is_symlink() for name in names)
+
+
+@pytest.mark.skipif(os.name == "nt", reason="rights are access lists there")
+def test_a_folder_that_grading_makes_is_its_owners_alone(root, tmp_path):
+    hand_in(tmp_path / "work", "ada")
+    out = tmp_path / "out"
+    before = os.umask(0o022)
+    try:
+        grade = ["grade", str(tmp_path / "work"), "--out", str(out)]
+        assert main(["--course", str(root / "course"), *grade]) == 0
+    finally:
+        os.umask(before)
+    assert oct(out.stat().st_mode & 0o777) == "0o700"

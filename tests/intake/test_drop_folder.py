@@ -141,6 +141,49 @@ def test_the_newest_of_each_is_taken_with_its_time(
 
 
 @as_root
+def test_who_takes_work_back_after_it_was_collected_keeps_its_time(
+    open_to_all: Path, capsys: pytest.CaptureFixture[str]
+):
+    taking, out = open_to_all / "drop", open_to_all / "class"
+    late = Path(hand_in(BOB, packed(open_to_all, "b.zip", "late"), taking))
+    assert main(["collect", str(taking), "--out", str(out)]) == 0
+    time = dict(csv.reader((out / "times.csv").open(encoding="utf-8")))[f"user-{BOB}.zip"]
+    as_user(BOB, late.unlink)
+    hand_in(ADA, packed(open_to_all, "a.zip", "mine"), taking)
+    capsys.readouterr()
+    assert main(["collect", str(taking), "--out", str(out)]) == 0
+    assert f"user-{BOB}.zip was collected before" in capsys.readouterr().err
+    rows = dict(csv.reader((out / "times.csv").open(encoding="utf-8")))
+    assert rows[f"user-{BOB}.zip"] == time
+    (out / f"user-{BOB}.zip").unlink()
+    assert main(["collect", str(taking), "--out", str(out)]) == 0
+    rows = dict(csv.reader((out / "times.csv").open(encoding="utf-8")))
+    assert set(rows) == {"file", f"user-{ADA}.zip"}
+
+
+@as_root
+def test_what_is_collected_is_nobody_elses_to_read(open_to_all: Path):
+    taking, out = open_to_all / "drop", open_to_all / "class"
+    hand_in(ADA, packed(open_to_all, "a.zip", "mine"), taking)
+    before = os.umask(0o022)
+    try:
+        assert main(["collect", str(taking), "--out", str(out)]) == 0
+    finally:
+        os.umask(before)
+    assert as_user(BOB, (out / f"user-{ADA}.zip").read_bytes).startswith("PermissionError")
+
+
+@as_root
+def test_names_are_not_to_be_trusted_where_files_have_several_owners(open_to_all: Path):
+    taking = open_to_all / "drop"
+    as_user(BOB, lambda: (taking / f"user-{ADA}_1_2.zip").write_bytes(b""))
+    assert "--trust-names" in collect(taking, MB).left[0]
+    hand_in(ADA, packed(open_to_all, "a.zip", "mine"), taking)
+    [said] = collect(taking, MB).left
+    assert said.endswith(f"it is called user-{ADA}'s and belongs to user-{BOB}")
+
+
+@as_root
 def test_neither_a_name_nor_a_time_can_be_forged(open_to_all: Path):
     taking = open_to_all / "drop"
     kept = Path(hand_in(ADA, packed(open_to_all, "a.zip", "mine"), taking))

@@ -127,3 +127,13 @@ def test_where_nothing_can_be_kept_nothing_is_missed(monkeypatch):
     assert not stale_bytecode.are_known()
     monkeypatch.setattr(stale_bytecode.os, "access", lambda path, mode: False)
     assert stale_bytecode.are_known()
+
+
+def test_libraries_that_stay_stale_are_known_by_their_folder(monkeypatch):
+    assert stale_bytecode.never_renewed() is None
+    monkeypatch.setattr(stale_bytecode, "is_compiled", lambda source: "sympy" not in source.parts)
+    assert stale_bytecode.never_renewed() is None  # it may be written, and is compiled once
+    monkeypatch.setattr(stale_bytecode.os, "access", lambda path, mode: False)
+    folder = stale_bytecode.never_renewed()
+    assert folder is not None
+    assert (folder / "sympy" / "core").is_dir()

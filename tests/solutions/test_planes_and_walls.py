@@ -1,6 +1,7 @@
 """The cases of `ransac_plane` and `find_walls` tell the references and all mistakes apart."""
 
 import itertools
+import math
 from collections.abc import Callable
 from typing import Any
 
@@ -89,6 +90,31 @@ def test_a_right_implementation_is_right_whatever_its_random_numbers(question, s
     reference, make_cases, compare, _ = QUESTIONS[question]
     given = make_cases(np.random.default_rng(seed))
     assert agree(compare, given, results(reference, given), results(reference, given, seed=7))
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_the_largest_plane_is_missed_less_than_once_in_ten_million(seed):
+    for case in cases.ransac_plane_cases(np.random.default_rng(seed)):
+        points, threshold, iterations, _ = case["args"]
+        if case["name"] not in ("no iterations", "all points on one line"):
+            chance = chance_of_the_largest(np.asarray(points), threshold)
+            assert (1 - chance) ** iterations < 1e-7, case["name"]
+
+
+def chance_of_the_largest(points: np.ndarray, threshold: float) -> float:
+    """The share of the triples of points, or of many, whose plane has the most points."""
+    if math.comb(len(points), 3) < 100_000:
+        triples = np.array(list(itertools.combinations(range(len(points)), 3)))
+    else:
+        shuffled = np.random.default_rng(0).random((20_000, len(points)))
+        triples = np.argpartition(shuffled, 3, axis=1)[:, :3]
+    first, second, third = points[triples].transpose(1, 0, 2)
+    normals = np.cross(second - first, third - first)
+    lengths = np.linalg.norm(normals, axis=1)
+    offsets = normals @ points.T - (normals * first).sum(axis=1)[:, None]
+    counts = (np.abs(offsets) <= threshold * lengths[:, None]).sum(axis=1)
+    counts[lengths == 0] = 0
+    return float(np.mean(counts == counts.max()))
 
 
 def test_another_implementation_of_ransac_passes_as_well():

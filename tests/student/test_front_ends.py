@@ -120,7 +120,20 @@ class Colab(FrontEnd):
 
 @pytest.fixture
 def kernel(own_orchard: Path) -> Iterator[BlockingKernelClient]:
-    folder = own_orchard / "notebooks"
+    yield from kernel_in(own_orchard / "notebooks")
+
+
+@pytest.fixture
+def kernel_above(own_orchard: Path) -> Iterator[BlockingKernelClient]:
+    """A kernel in the course's folder, where a notebook of the student's own lies as well.
+
+    Visual Studio Code starts them there with `jupyter.notebookFileRoot = ${workspaceFolder}`.
+    """
+    save(own_orchard, "x = 1", name="scratch.ipynb")
+    yield from kernel_in(own_orchard)
+
+
+def kernel_in(folder: Path) -> Iterator[BlockingKernelClient]:
     environment = {
         name: value
         for name, value in os.environ.items()
@@ -153,6 +166,44 @@ def test_vscode_is_told_what_is_not_saved(kernel: BlockingKernelClient, own_orch
     assert "Hand in this file." in editor.run(2, "submit()")
     editor.run(1, "trees = 13")
     assert "`trees = 13`" in editor.run(2, "submit()")
+
+
+def test_vscode_may_start_kernels_in_the_folder_that_is_open(
+    kernel_above: BlockingKernelClient, own_orchard: Path
+):
+    folder = own_orchard / "notebooks"
+    save(folder, SETUP, "trees = 12", "submit()", ids=False)
+    editor = VSCode(kernel_above, folder)
+    editor.begin()
+    editor.run(0, SETUP)
+    editor.run(1, "trees = 12")
+    editor.run(3, 'ask("Q1").respond([True, None])')
+    assert "is saved without code that you ran" in editor.run(2, "submit()")
+    # What is saved and was changed since it ran is not blamed for ever.
+    save(folder, SETUP, "trees = 13", "submit()", ids=False)
+    assert "Hand in this file." in editor.run(2, "submit()")
+    assert "responses/orchard.json" in zipfile.ZipFile(folder / "submission.zip").namelist()
+    assert not (own_orchard / "responses").exists()
+
+
+def test_a_change_of_the_working_folder_takes_nothing_away(
+    kernel: BlockingKernelClient, own_orchard: Path, tmp_path: Path
+):
+    folder = own_orchard / "notebooks"
+    elsewhere = tmp_path / "elsewhere"
+    elsewhere.mkdir()
+    save(elsewhere, "x = 1", name="scratch.ipynb")
+    save(folder, SETUP, "trees = ...", "submit()")
+    editor = FrontEnd(kernel, folder)
+    editor.run(0, SETUP)
+    editor.run(3, f"import os; os.chdir({str(elsewhere)!r})")
+    editor.run(4, 'ask("Q1").respond([True, None])')
+    editor.run(1, "trees = 12")
+    assert "is saved without code that you ran" in editor.run(2, "submit()")
+    save(folder, SETUP, "trees = 13", "submit()")
+    assert "Hand in this file." in editor.run(2, "submit()")
+    assert "responses/orchard.json" in zipfile.ZipFile(folder / "submission.zip").namelist()
+    assert [path.name for path in elsewhere.iterdir()] == ["scratch.ipynb"]
 
 
 def test_nothing_is_claimed_where_the_notebook_is_saved_elsewhere(

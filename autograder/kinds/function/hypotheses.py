@@ -93,6 +93,9 @@ class Hypotheses:
             fitting = [i for i in fitting if made[i][0].operator in GUARDS or self._remark(i)]
             if not fitting:
                 return Diagnosis(NO_ERROR, looks_as_if(in_words(NO_ERROR)))
+        if _no_value_came(outcomes, verdicts):
+            # Many changes raise the same: that it raises is all that is known.
+            fitting = [i for i in fitting if made[i][0].operator in GUARDS or self._remark(i)]
         if not fitting:
             return None
         # What says least stands last, what the author remarks first, else as they were made.
@@ -280,6 +283,15 @@ def _only_errors_are_missing(
     return bool(wrong) and all(
         "raised" in right[i] and isinstance(outcomes[i], dict) and "value" in outcomes[i]
         for i in wrong
+    )
+
+
+def _no_value_came(outcomes: Sequence[Value], verdicts: Sequence[bool]) -> bool:
+    """Whether nothing that could be compared came wherever something is wrong."""
+    return not any(
+        isinstance(outcome, dict) and "value" in outcome
+        for outcome, verdict in zip(outcomes, verdicts, strict=True)
+        if not verdict
     )
 
 
