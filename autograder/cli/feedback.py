@@ -160,8 +160,14 @@ def _write(parsed: argparse.Namespace, console: Console, parcel: Parcel, is_zip:
 def _tell_left(left: Sequence[Left]) -> int:
     from autograder.reports.terminal import warn
 
+    alike: dict[str, list[str]] = {}
     for entry in left:
-        warn(f"The feedback of {entry.record.student} goes to nobody: {entry.reason}.")
+        alike.setdefault(entry.reason, []).append(entry.record.student)
+    for reason, students in alike.items():
+        whose = students[0]
+        if len(students) > 1:  # a whole class may lack the same
+            whose = f"{len(students)} students ({', '.join(students)})"
+        warn(f"The feedback of {whose} goes to nobody: {reason}.")
     return BROKEN if left else DONE
 
 

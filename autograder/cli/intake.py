@@ -89,8 +89,8 @@ def _print_table(console: Console, summary: Summary) -> None:
         time = row.origin.handed_in
         late = f", {row.days} days late" if row.days else ""
         said = "" if time is None else f"{time.astimezone(zone):%Y-%m-%d %H:%M:%S %Z}{late}"
-        if row.origin.called_late and time is None:
-            said = "late, time unknown"
+        if row.only_called_late:
+            said = f"{said}, called late" if said else "late, time unknown"
         people = ", ".join(person.text() for person in row.match.people)
         if summary.class_list.students and not people:
             people = "nobody"

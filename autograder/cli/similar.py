@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 import json
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -62,8 +62,8 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
     from autograder.intake.find_submissions import find_submissions
     from autograder.intake.submissions import Unreadable, read_submission
     from autograder.reports.code_fingerprints import fingerprints
-    from autograder.reports.similarity import handout_cells, similar_pairs
-    from autograder.reports.terminal import printable, progress_bar
+    from autograder.reports.similarity import handout_cells, shared_by_many, similar_pairs
+    from autograder.reports.terminal import printable, progress_bar, warn
     from autograder.reports.whole_files import write_csv
 
     course = load(parsed)
@@ -96,6 +96,8 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
             progress=lambda: progress.advance(task),
             public=_public(course.root),
         )
+    if shared := shared_by_many(students, handout):
+        warn(_shared_sentence([names.get(name, name) for name in sorted(shared)]))
     if parsed.json:
         print_json([vars(pair) for pair in pairs])
         return DONE
@@ -128,6 +130,18 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
         soft_wrap=True,
     )
     return DONE
+
+
+def _shared_sentence(shared: Sequence[str]) -> str:
+    return n_(
+        "{count} submission was not compared ({names}): nearly all its code stands in more than a "
+        "fifth of the class, as where there is one way to write it, or where a solution has gone "
+        "round. Read it.",
+        "{count} submissions were not compared ({names}): nearly all their code stands in more "
+        "than a fifth of the class, as where there is one way to write it, or where a solution "
+        "has gone round. Read one of them.",
+        len(shared),
+    ).format(count=len(shared), names=", ".join(shared))
 
 
 def _sentence(pair: Pair, names: Mapping[str, str]) -> str:

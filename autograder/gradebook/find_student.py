@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import unicodedata
 from collections.abc import Sequence
 
 from autograder.errors import UsageError
 from autograder.gradebook.record import Record
-from autograder.intake.name_spellings import plain_name
+from autograder.intake.name_spellings import plain_name, typed_letters
 from autograder.intake.person import Person
 
 
@@ -38,8 +37,8 @@ def find_record(records: Sequence[Record], said: str, missing: Sequence[Person] 
         called = {text.casefold() for text in (*person.identifiers(), person.number)}
         if wanted.casefold() in called or _orders(person.name) & _orders(wanted):
             raise UsageError(f"{person.text()} is in the class list and handed in nothing.")
-    part = bare_letters(wanted)
-    near = [r for r in records if part and part in bare_letters(f"{r.name} {r.student}")]
+    part = typed_letters(wanted)
+    near = [r for r in records if part and part in typed_letters(f"{r.name} {r.student}")]
     known = _listed(near) if near else f"{len(records)} others"
     raise UsageError(f"The gradebook has no student {said!r}; it has {known}.")
 
@@ -65,12 +64,6 @@ def _orders(name: str) -> set[str]:
     """A name as it is, and ``Lovelace, Ada`` as ``Ada Lovelace``."""
     last, _, first = name.partition(",")
     return {plain_name(name), plain_name(f"{first} {last}")} - {""}
-
-
-def bare_letters(name: str) -> str:
-    """A name without accents, as it is typed on another keyboard: enough to suggest it, no more."""
-    letters = unicodedata.normalize("NFKD", plain_name(name))
-    return "".join(letter for letter in letters if not unicodedata.combining(letter))
 
 
 def _listed(records: Sequence[Record]) -> str:

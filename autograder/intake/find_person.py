@@ -16,6 +16,7 @@ from autograder.intake.name_spellings import (
     is_anonymous,
     plain_name,
     spellings,
+    typed_letters,
     without_accents,
 )
 from autograder.intake.origin import Claim
@@ -47,6 +48,7 @@ class People:
         self._names: tuple[dict[str, list[Person]], ...] = tuple(
             defaultdict(list) for _ in range(4)
         )
+        self._typed: dict[str, list[Person]] = defaultdict(list)
         self._members: dict[str, list[Person]] = defaultdict(list)
         for person in dict.fromkeys(people):
             for field, kind in _KINDS:
@@ -59,6 +61,8 @@ class People:
             for group in groups_of(person):
                 self._members[group].append(person)
             ways = spellings(person.name)
+            for way in {typed_letters(way) for way in ways} - {""}:
+                self._typed[way].append(person)
             levels = (
                 {plain_name(person.name), plain_name(first_name_first(person.name))},
                 ways,
@@ -155,7 +159,15 @@ class People:
             return Fits((), _BY_NAME, reason)
         if len(agreeing) == 1:
             return Fits(agreeing, _BY_NAME)
-        return Fits(agreeing, _BY_NAME, f"{claim.text()!r} {_fits(agreeing)}")
+        likely = () if agreeing else self._typed_otherwise(name)
+        reason = f"{claim.text()!r} {_fits(agreeing)}"
+        if likely:
+            reason = f"{reason}; it may be {' or '.join(person.text() for person in likely[:4])}"
+        return Fits(agreeing, _BY_NAME, reason, likely)
+
+    def _typed_otherwise(self, name: str) -> tuple[Person, ...]:
+        """The people whose names have the same letters on another keyboard: never certain."""
+        return tuple(self._typed.get(typed_letters(name), ()))
 
     def _in_a_group(self, name: str) -> Fits:
         """The people whose name follows that of a group, as Moodle writes ``Group A-Ada Lovelace``.

@@ -54,3 +54,15 @@ def without_accents(name: str) -> str:
 def bare_letters(name: str) -> str:
     """The letters alone: Moodle leaves the apostrophe out of ``Seán O'Brien``, with no space."""
     return without_accents(name).replace(" ", "")
+
+
+# Letters that Unicode does not take apart.
+_TYPED = str.maketrans({"ł": "l", "ø": "o", "đ": "d", "ı": "i", "æ": "a", "œ": "o", "ð": "d"})
+
+
+def typed_letters(name: str) -> str:
+    """The letters as one types them on another keyboard: enough to suggest a person, no more.
+
+    ``Joerg Mueller`` and ``Jorg Muller`` have those of Jörg Müller, ``Lukasz`` those of Łukasz.
+    """
+    return re.sub("(?<=[aou])e", "", bare_letters(plain_name(name).translate(_TYPED)))

@@ -87,6 +87,8 @@ def read_people(text: str, path: Path, zone: tzinfo | None) -> tuple[Person, ...
         "time": column(header, *_TIME),
         "role": column(header, *_ROLE),
     }
+    if columns["github"] is not None and columns["email"] is None:
+        columns["email"] = _column_of_addresses(column(header, "identifier"), others)
     if columns["github"] is not None and columns["name"] is None:
         columns["name"] = column(header, "identifier")
     elif columns["github"] is not None and columns["sis_id"] is None:
@@ -104,6 +106,12 @@ def read_people(text: str, path: Path, zone: tzinfo | None) -> tuple[Person, ...
         if person is not None:
             people.append(person)
     return tuple(people)
+
+
+def _column_of_addresses(index: int | None, rows: Sequence[Sequence[str]]) -> int | None:
+    """GitHub Classroom's identifiers, where the instructor chose the students' e-mail addresses."""
+    identifiers = [cell for row in rows if (cell := _cell(row, index))]
+    return index if identifiers and all("@" in cell for cell in identifiers) else None
 
 
 def _person(cells: dict[str, str], zone: tzinfo | None) -> Person | None:

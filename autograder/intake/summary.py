@@ -9,6 +9,7 @@ from autograder.intake.class_list import ClassList
 from autograder.intake.layouts.layout import PassedOver
 from autograder.intake.match_people import Match
 from autograder.intake.origin import (
+    INSIDE,
     Origin,
     as_utc_text,
 )
@@ -36,6 +37,13 @@ class Row:
         """Where it comes from, with the time that was decided on."""
         return self.submission.origin
 
+    @property
+    def only_called_late(self) -> bool:
+        """Whether the layout calls it late, and no time that students cannot change says more."""
+        if self.days or not self.origin.called_late:
+            return False
+        return not has_time(self) or self.origin.time_from == INSIDE
+
     def lateness(self) -> tuple[str | None, int, float]:
         """As the gradebook keeps it."""
         return as_utc_text(self.origin.handed_in), self.days, self.percent
@@ -61,9 +69,7 @@ class Summary:
     @property
     def late(self) -> list[Row]:
         """What is late by the class list's due time, or by the word of the layout."""
-        return [
-            row for row in self.rows if row.days or (row.origin.called_late and not has_time(row))
-        ]
+        return [row for row in self.rows if row.days or row.only_called_late]
 
     @property
     def needs_person(self) -> bool:

@@ -72,7 +72,7 @@ def look_at_times(summary: Summary, trust_times: bool) -> None:
             for row in summary.rows
         )
         summary.rows = LongList(Row, withheld_rows)
-    marked = [row for row in summary.rows if row.origin.called_late and not has_time(row)]
+    marked = [row for row in summary.rows if row.only_called_late]
     if marked:
         summary.warnings.append(
             f"{_some(marked)}: the download calls this late and does not say when it was handed "

@@ -46,15 +46,7 @@ def similar_pairs(
 
     With a source of ``public`` it is that share of the student's own code.
     """
-    owners = Counter(mark for code in students.values() for mark in code.places)
-    # Two may always share something, however small the class is.
-    common = max(2, COMMON_SHARE * len(students))
-    own = {
-        student: {
-            mark for mark in code.places if mark not in handout.places and owners[mark] <= common
-        }
-        for student, code in students.items()
-    }
+    own = _own(students, handout)
     by_mark: dict[int, list[str]] = {}
     for student, marks in own.items():
         for mark in marks:
@@ -84,6 +76,32 @@ def similar_pairs(
                 lines = (students[student].places[mark], source.places[mark])
                 pairs.append(Pair(student, name, share, len(both), lines, share))
     return sorted(pairs, key=lambda pair: (-pair.share, -pair.fingerprints, pair.first))
+
+
+def shared_by_many(students: Mapping[str, Code], handout: Code) -> list[str]:
+    """Those of whom nothing can be said: what they wrote is that of a large part of the class.
+
+    So it is where there is one way to write something, and where a solution has gone round.
+    """
+    own = _own(students, handout)
+    return [
+        student
+        for student, code in students.items()
+        if len(own[student]) < FEWEST <= len(code.places.keys() - handout.places.keys())
+    ]
+
+
+def _own(students: Mapping[str, Code], handout: Code) -> dict[str, set[int]]:
+    """The fingerprints of each student that neither the handout nor many others have."""
+    owners = Counter(mark for code in students.values() for mark in code.places)
+    # Two may always share something, however small the class is.
+    common = max(2, COMMON_SHARE * len(students))
+    return {
+        student: {
+            mark for mark in code.places if mark not in handout.places and owners[mark] <= common
+        }
+        for student, code in students.items()
+    }
 
 
 def handout_cells(notebooks: Sequence[Mapping[str, object]]) -> list[str]:

@@ -12,6 +12,7 @@ from pathlib import Path
 from filelock import FileLock, Timeout
 
 from autograder.errors import AutograderError
+from autograder.exchange.identity import FILE
 from autograder.exchange.responses import Entry
 from autograder.language import _, n_
 from autograder.student.course_path import notebooks_folder
@@ -87,9 +88,12 @@ class Responses:
                 self._write(entries)
                 return entries[id]
         except (OSError, Timeout) as error:
-            raise ResponsesError(
-                self._refusal(_("Your response to {question}").format(question=id), error)
-            ) from None
+            what = (
+                _("Your response to {question}").format(question=id)
+                if id != FILE
+                else _("Your name")
+            )
+            raise ResponsesError(self._refusal(what, error)) from None
 
     def mend(self) -> str:
         """Put right a damaged or missing file as far as possible, and say what was done.

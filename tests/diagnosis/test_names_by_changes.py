@@ -51,6 +51,27 @@ def test_a_guard_that_explains_a_missing_error_is_named():
     assert said(longer_side, for_any, *SIDES).name == "branch left out"
 
 
+def up_to(numbers, count):
+    return numbers[:count]
+
+
+def first_ones(numbers, count):
+    if count == 0:
+        return []
+    return up_to(numbers, count)
+
+
+def first_ones_of_nothing(numbers, count):
+    """What a function that it calls should have returned is None."""
+    numbers = None
+    return [] if count == 0 else numbers[:count]
+
+
+def test_what_only_raises_is_not_put_down_to_a_change_that_raises_the_same():
+    """Exchanged arguments raise TypeError here as well, and so would much else."""
+    assert said(first_ones, first_ones_of_nothing, ([1, 2], 0), ([3, 1], 1), ([5, 2], 2)) is None
+
+
 def power_of_extremes(numbers):
     big, small = max(numbers), min(numbers)
     return big**small

@@ -180,3 +180,23 @@ def test_what_is_unclear_is_said_in_one_sentence(tmp_path: Path, text: str, said
 def test_a_list_that_is_not_there_is_said(tmp_path: Path):
     with pytest.raises(CourseError, match="no class list"):
         read_class_list(tmp_path / "class.toml")
+
+
+@pytest.mark.parametrize(
+    ("identifiers", "emails"),
+    [
+        (["ada@example.org", "boole@example.org"], ["ada@example.org", "boole@example.org"]),
+        (["31815", "31864"], ["", ""]),
+        (["Ada @ home", "31864"], ["", ""]),
+    ],
+)
+def test_identifiers_of_github_classroom_that_are_addresses_are_those_of_the_students(
+    tmp_path: Path, identifiers: list[str], emails: list[str]
+):
+    rows = [f'"{identifier}","git-{i}","{i}",""' for i, identifier in enumerate(identifiers)]
+    header = '"identifier","github_username","github_id","name"'
+    path = tmp_path / "classroom_roster.csv"
+    path.write_text("\n".join([header, *rows]))
+    people = read_class_list(path).students
+    assert [person.email for person in people] == emails
+    assert [person.sis_id for person in people] == identifiers

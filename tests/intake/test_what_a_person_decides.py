@@ -87,6 +87,22 @@ def test_the_line_that_is_printed_for_a_doubtful_name_settles_it(school: Class):
 
 
 @pytest.mark.parametrize(
+    ("file", "listed"),
+    [("Joerg Mueller", "Jörg Müller"), ("Lukasz Wojcik", "Łukasz Wójcik"), ("Soren A", "Søren A")],
+)
+def test_a_name_typed_on_another_keyboard_is_suggested_and_never_taken(
+    school: Class, file: str, listed: str
+):
+    people = f"Name,Login\n{listed},theirs\nMarie Curie,curie\n"
+    school.lists = [put(school.root / "people.csv", people.encode())]
+    school.hand_in(f"{file}.zip")
+    entry = school.of(school.intake(), file)
+    assert entry["person"] is None
+    assert f"it may be {listed} (theirs)" in entry["reason"]
+    assert entry["settle"] == f'"{file}.zip" = "theirs"'
+
+
+@pytest.mark.parametrize(
     ("said", "logins"),
     [
         ("curie", ["curie"]),
@@ -221,6 +237,35 @@ def test_what_only_the_submission_says_is_a_hint_and_costs_nothing(school: Class
     assert (entry["days_late"], entry["percent_off"]) == (4, 0)
     entry = school.of(school.intake("--trust-times"), "ada")
     assert entry["percent_off"] == 40
+
+
+@pytest.mark.parametrize(
+    "packed", [b"2026-11-19T10:00:00+00:00", b"2026-11-24T00:00:00+00:00", b""]
+)
+def test_canvas_word_that_it_is_late_holds_beside_the_time_in_the_zip(school: Class, packed: bytes):
+    """A student can pack in time and upload late, and can write any time into the zip."""
+    data = zipped({"3_orchard.ipynb": BOOK, **({"submitted.txt": packed} if packed else {})})
+    put(school.work / "booleGeorge_LATE_7_100_submission.zip", data)
+    put(school.work / "curiemarie_8_101_submission.zip", data)
+    told = school.intake()
+    assert told["late"] == (2 if b"-24T" in packed else 1)
+    entry = school.of(told, "booleGeorge")
+    assert entry["called_late"]
+    assert entry["percent_off"] == 0
+    (said,) = [warning for warning in told["warnings"] if "booleGeorge" in warning]
+    assert "late" in said
+    assert "--times FILE" in said
+
+
+def test_the_table_shows_canvas_word_that_it_is_late_at_the_time_in_the_zip(
+    school: Class, capsys: pytest.CaptureFixture[str]
+):
+    packed = {"3_orchard.ipynb": BOOK, "submitted.txt": b"2026-11-19T10:00:00+00:00"}
+    put(school.work / "booleGeorge_LATE_7_100_submission.zip", zipped(packed))
+    assert main(["--course", str(school.course.root), "intake", str(school.work)]) == 0
+    told = " ".join(capsys.readouterr().out.split())
+    assert "called late" in told
+    assert "1 handed in, 0 unreadable, 1 late" in told
 
 
 def test_a_time_that_cannot_be_read_is_named(school: Class):

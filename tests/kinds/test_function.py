@@ -1,5 +1,6 @@
 """Functions: right on every kind of input, or like a known mistake, or right on some kinds."""
 
+import functools
 import math
 from fractions import Fraction
 from typing import Any
@@ -49,17 +50,42 @@ def test_a_right_value_of_any_type_is_right(marker, number):
     assert mark(marker, mean).status == "right"
 
 
-def test_a_stub_is_not_attempted_wherever_it_raises(marker):
+def test_a_stub_is_not_attempted(marker):
     def stub(weights):
         raise NotImplementedError
 
-    def half_a_stub(weights):
-        if len(weights) > 2:
-            raise NotImplementedError
-        return 0.0
+    def counted(weights):
+        return stub(weights)
 
-    for function in (..., stub, half_a_stub):
+    for function in (..., stub, functools.wraps(stub)(counted)):
         assert mark(marker, function).status == "not attempted"
+
+
+def test_what_is_written_was_attempted_even_if_some_inputs_are_still_refused(marker):
+    def mean(weights):
+        if not weights:
+            raise NotImplementedError
+        return sum(weights) / len(weights)
+
+    verdict = mark(marker, mean)
+    assert (verdict.status, verdict.credit) == ("partial", 0.5)
+    assert "no weights (it raises NotImplementedError)" in verdict.feedback
+
+
+def test_a_function_that_calls_the_stub_of_another_question_was_attempted(marker):
+    """It is no response of its own, and "nothing was answered" would be false."""
+
+    def total(weights):
+        raise NotImplementedError
+
+    def mean(weights):
+        return total(weights) / max(1, len(weights))
+
+    reply = evaluate(mean, marker.drawn("Q1.5").probe | {"tell": True})
+    assert reply["told"]["message"] == "total is not written yet"
+    verdict = marker.mark("Q1.5", reply)
+    assert (verdict.status, verdict.credit) == ("error", 0)
+    assert "NotImplementedError on every input" in verdict.feedback
 
 
 @pytest.mark.parametrize("seed", range(5))

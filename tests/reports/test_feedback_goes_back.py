@@ -214,7 +214,15 @@ def test_without_an_address_nothing_is_sent_and_the_name_is_told(course: Course,
     pages = [feedback("ada", Origin(), Person("Ada", email=address))]
     letters, left = messages(course, pages, "x", "")
     assert not letters
-    assert "Ada has no e-mail address" in left[0].reason
+    assert left[0].record.student == "ada"
+    assert left[0].reason == "there is no e-mail address in the class list"
+
+
+def test_a_member_of_a_group_without_an_address_is_named(course: Course):
+    boole = Person("George Boole")
+    letters, left = messages(course, [feedback("g", Origin(), ADA, boole)], "x", "")
+    assert len(letters) == 1
+    assert left[0].reason == "George Boole has no e-mail address in the class list"
 
 
 def test_a_group_gets_a_message_each(course: Course):

@@ -9,7 +9,7 @@ import pytest
 
 from autograder.cli import main
 from autograder.reports.code_fingerprints import fingerprints
-from autograder.reports.similarity import similar_pairs
+from autograder.reports.similarity import shared_by_many, similar_pairs
 from tests.classroom import RIGHT, START, make_course, notebook
 
 ORIGINAL = """
@@ -182,3 +182,25 @@ def test_the_command_compares_with_the_solved_notebooks(tmp_path: Path, capsys):
     said = capsys.readouterr().out
     assert "ada and the solved notebooks: 100% of ada's own work is alike" in said
     assert "boole" not in said
+
+
+def test_what_was_not_compared_since_many_have_it_is_said(tmp_path: Path, capsys):
+    """A solution that has gone round must not read as if nobody were alike."""
+    make_course(tmp_path / "course")
+    cells = {"curie": INDEPENDENT} | dict.fromkeys(("ada", "boole", "dijkstra"), ORIGINAL)
+    for student, code in cells.items():
+        folder = tmp_path / "work" / student
+        folder.mkdir(parents=True)
+        (folder / "3_orchard.ipynb").write_text(notebook([START, code]))
+    arguments = ["similar", str(tmp_path / "work"), "--out", str(tmp_path / "grades")]
+    assert main(["--course", str(tmp_path / "course"), *arguments]) == 0
+    captured = capsys.readouterr()
+    assert "0 pairs" in captured.out
+    assert "3 submissions were not compared (ada, boole, dijkstra)" in captured.err
+
+
+def test_work_that_is_a_students_own_or_the_handouts_is_compared():
+    handout = fingerprints([HANDOUT])
+    students = {"ada": [HANDOUT, ORIGINAL], "curie": [HANDOUT, INDEPENDENT], "eve": [HANDOUT]}
+    codes = {student: fingerprints(cells) for student, cells in students.items()}
+    assert shared_by_many(codes, handout) == []

@@ -11,6 +11,7 @@ import pytest
 from filelock import FileLock
 
 from autograder import ask, check, progress
+from autograder.exchange.identity import FILE
 from autograder.student import responses as module
 from autograder.student.responses import Responses, ResponsesError, responses_folder
 
@@ -170,3 +171,9 @@ def test_a_file_that_cannot_be_read_for_a_moment_is_no_damaged_one(
             responses.mend()
     assert responses.get("Q1")["response"] == [True, None]
     assert list(tmp_path.glob("*.damaged-*")) == []
+
+
+def test_a_name_that_cannot_be_kept_is_called_a_name(tmp_path: Path):
+    (tmp_path / "responses").write_text("a file in the folder's place")
+    with pytest.raises(ResponsesError, match=r"^Your name was NOT saved"):
+        Responses(tmp_path / "responses", FILE).update(FILE, lambda entry: {"response": "Ada"})

@@ -106,7 +106,10 @@ def _outcomes(dotted_name: str, sent: dict[str, object], root: Path) -> list[dic
         reply = evaluate(load_object(dotted_name, root), sent)
     if reply["state"] != "given":
         raise CourseError(f"{dotted_name} gives no outcomes: {reply}.")
-    return list(reply["outcomes"])
+    outcomes = list(reply["outcomes"])
+    if {"raised": "NotImplementedError"} in outcomes:
+        raise CourseError(f"{dotted_name} gives no outcomes: it raises NotImplementedError.")
+    return outcomes
 
 
 def problem_of_cases(question: Function, cases: object) -> str:

@@ -47,7 +47,7 @@ _SLOW = 300_000  # for right work in other clothes on all cases: it is not chang
 _TIMES_AS_MANY = 20  # turns of loops as what it was made of takes, that a mutant may take
 _TURNS_AT_LEAST = 1000
 _REMARK = re.compile(r"#\s*names:\s*(.+?)\s*$")
-_LOST: Outcome = {"unusable": "not plain"}
+_LOST: Outcome = {"unusable": "a change that never ended"}  # which no response's outcome is
 
 
 class Hypotheses:
@@ -93,6 +93,9 @@ class Hypotheses:
             fitting = [i for i in fitting if made[i][0].operator in GUARDS or self._remark(i)]
             if not fitting:
                 return Diagnosis(NO_ERROR, looks_as_if(in_words(NO_ERROR)))
+        if _no_value_came(outcomes, verdicts):
+            # Many changes raise the same: that it raises is all that is known.
+            fitting = [i for i in fitting if made[i][0].operator in GUARDS or self._remark(i)]
         if not fitting:
             return None
         # What says least stands last, what the author remarks first, else as they were made.
@@ -280,6 +283,15 @@ def _only_errors_are_missing(
     return bool(wrong) and all(
         "raised" in right[i] and isinstance(outcomes[i], dict) and "value" in outcomes[i]
         for i in wrong
+    )
+
+
+def _no_value_came(outcomes: Sequence[Value], verdicts: Sequence[bool]) -> bool:
+    """Whether nothing that could be compared came wherever something is wrong."""
+    return not any(
+        isinstance(outcome, dict) and "value" in outcome
+        for outcome, verdict in zip(outcomes, verdicts, strict=True)
+        if not verdict
     )
 
 

@@ -50,7 +50,9 @@ def messages(
         for person in page.record.people:
             address = _address(person.name, person.email)
             if address is None:
-                said = f"{person.name} has no e-mail address in the class list"
+                alone = len(page.record.people) == 1
+                whose = "there is" if alone else f"{person.name} has"
+                said = f"{whose} no e-mail address in the class list"
                 left.append(Left(page.record, said))
             else:
                 message = _message(course, page, title, sender, address)

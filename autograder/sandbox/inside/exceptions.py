@@ -19,6 +19,8 @@ _TOP = ("<module>", "<cell line")  # IPython 7 calls a cell's own code by its fi
 def tell(error: BaseException) -> Message:
     """The message, and the last line of a cell on the way to the error with its number."""
     told: dict[str, object] = {"kind": type(error).__name__, "message": _message(error)}
+    if isinstance(error, NotImplementedError) and not told["message"]:
+        told["message"] = _what_is_not_written(error)
     if isinstance(error, ModuleNotFoundError) and isinstance(error.name, str):
         told["module"] = error.name[:100]
     if isinstance(error, SyntaxError):
@@ -70,6 +72,14 @@ def _failed(statement: ast.Import, error: ModuleNotFoundError) -> int:
         if error.name and f"{alias.name}.".startswith(f"{error.name}."):
             return position
     return len(statement.names) - 1
+
+
+def _what_is_not_written(error: BaseException) -> str:
+    """Which function is still a stub: the last line alone would not say whose it is."""
+    frames = traceback.extract_tb(error.__traceback__)
+    if not frames or frames[-1].name.startswith(_TOP):
+        return ""
+    return _short(f"{frames[-1].name} is not written yet")
 
 
 def _message(error: BaseException) -> str:

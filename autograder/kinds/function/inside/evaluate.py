@@ -22,12 +22,14 @@ def evaluate(response: object, probe: Message) -> Message:
     number of the samples, where only such were taken.
 
     Raises:
+        NotImplementedError: if the response is still the stub that was handed out.
         Unusable: if the response is no function.
     """
     if not callable(response):
         raise Unusable("not a function")
     outcomes: list[Message] = []
     told = None
+    as_handed_out = 0  # cases on which the function was still the stub
     # Only of inputs that are not hidden, or before a hidden one was sent: a message may quote what
     # the function was called with.
     telling = probe.get("tell", ())
@@ -48,15 +50,34 @@ def evaluate(response: object, probe: Message) -> Message:
             if len(generators) == 1 and generators[0].sampled:
                 outcome["sampled"] = list(generators[0].sampled)
             outcomes.append(outcome)
-        except NotImplementedError:
-            raise
         except Unusable as unusable:
             outcomes.append({"unusable": str(unusable)})
         except Exception as error:
+            as_handed_out += _is_from_its_own_stub(error, response)
             outcomes.append({"raised": public_name(error)})
             if told is None and (telling is True or place in telling):
                 told = tell(error)
+    if outcomes and as_handed_out == len(outcomes):
+        raise NotImplementedError
     return {"outcomes": outcomes, **({"told": told} if told else {})}
+
+
+def _is_from_its_own_stub(error: BaseException, response: object) -> bool:
+    """Whether it comes from this function as it was handed out, maybe decorated.
+
+    A function that is written may call one of another question that is not.
+    """
+    if not isinstance(error, NotImplementedError):
+        return False
+    place = error.__traceback__
+    while place is not None and place.tb_next is not None:
+        place = place.tb_next
+    if place is None:
+        return False
+    code = place.tb_frame.f_code
+    is_stub = code.co_names == ("NotImplementedError",)
+    own = code is getattr(response, "__code__", None)
+    return is_stub and (own or code.co_name == getattr(response, "__name__", None))
 
 
 def _argument(value: object) -> Value:
