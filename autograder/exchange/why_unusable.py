@@ -8,6 +8,8 @@ REASONS = {
     "callable": N_("it is a function; give the value or expression itself"),
     "not a number": N_("it is not a number"),
     "not finite": N_("it is not a finite number"),
+    "empty": N_("it is empty; there is no value in it"),
+    "set": N_("it is a set; give one expression out of it"),
     "several": N_("it holds several values; give the one that is asked for"),
     "symbols left": N_("it still contains symbols; put the numbers in"),
     "symbol unknown": N_("it contains a symbol that this question does not declare"),

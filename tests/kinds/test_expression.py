@@ -151,6 +151,18 @@ def test_what_sympy_solves_itself_is_right(marker):
     assert mark(marker, "Q2.2e", angle[0]).credit == 1
 
 
+def test_all_the_turns_of_an_angle_are_right_together(marker):
+    n, S_xx, S_yy, S_xy = sp.symbols("n S_xx S_yy S_xy")
+    angle = sp.atan2(-2 * S_xy, S_yy - S_xx) / 2
+    quarters = sp.ImageSet(sp.Lambda(n, angle + n * sp.pi / 2), sp.S.Integers)
+    halves = sp.ImageSet(sp.Lambda(n, angle + n * sp.pi), sp.S.Integers)
+    eighths = sp.ImageSet(sp.Lambda(n, angle + n * sp.pi / 4), sp.S.Integers)
+    assert [mark(marker, "Q2.2e", turns).credit for turns in (quarters, halves)] == [1, 1]
+    assert mark(marker, "Q2.2e", eighths).credit < 1
+    assert mark(marker, "Q2.2f2", halves).status == "right"
+    assert mark(marker, "Q2.2f2", quarters).credit < 1
+
+
 def test_a_result_that_still_depends_on_r_is_told_so(marker):
     r, alpha, N, sum_x, sum_y = sp.symbols("r alpha N sum_x sum_y")
     form = (sum_x * sp.cos(alpha) + sum_y * sp.sin(alpha)) / N + (r - sp.cos(r)) / 1000
@@ -167,7 +179,10 @@ def test_a_result_that_still_depends_on_r_is_told_so(marker):
         ("2*(a + b)", "a string; write it without quotes"),
         (lambda a, b: 2 * (a + b), "function"),
         (sp.Eq(sp.Symbol("rim"), sp.Symbol("a")), "only the side that is asked for"),
-        ([], "several values"),
+        ([], "it is empty"),
+        (sp.S.EmptySet, "it is empty"),
+        (sp.Interval(0, 1), "it is a set"),
+        (sp.ImageSet(sp.Lambda(sp.Symbol("n"), sp.Symbol("n")), sp.S.Reals), "it is a set"),
         (2 * sp.Symbol("c"), "does not declare (declared are a, b, half)"),
         (sp.Symbol("a") > 0, "not a sympy expression"),
         (sp.Matrix([1, 2]), "several values"),
@@ -194,6 +209,14 @@ RIM = sp.Symbol("rim")
         sp.solve(RIM - 2 * (A + B), RIM, dict=True),
         sp.solve([RIM - 2 * (A + B)], [RIM]),
         sp.solveset(RIM - 2 * (A + B), RIM),
+        sp.solveset(RIM - 2 * (A + B), RIM, sp.S.Reals),
+        sp.solveset(RIM * (A - B) - 2 * (A + B) * (A - B), RIM),
+        sp.solve(RIM - 2 * (A + B), RIM, set=True),
+        sp.ConditionSet(RIM, sp.Gt(A, 0), sp.FiniteSet(2 * (A + B))),
+        sp.Union(sp.FiniteSet(2 * HALF), sp.FiniteSet(2 * (A + B))),
+        sp.Union(sp.FiniteSet(2 * HALF), sp.ImageSet(sp.Lambda(RIM, 2 * (A + B)), sp.S.Integers)),
+        {2 * (A + B), 2 * HALF},
+        np.array([2 * (A + B), 2 * HALF]),
         sp.linsolve([RIM - 2 * (A + B)], RIM),
         [{RIM: 2 * (A + B)}, {RIM: 4 * HALF / 2}],
         [sp.Matrix([2 * (A + B)])],

@@ -82,7 +82,8 @@ def test_an_alternative_says_what_it_earns():
     [
         None, 3.0, RIGHT.tolist(), RIGHT[:-1], RIGHT[:24], np.append(RIGHT, 1.0), RIGHT.astype(int),
         RIGHT > 5, RIGHT.astype(object), RIGHT.astype(str), RIGHT[None, :0], RIGHT[:0],
-        np.zeros((0, 48)), RIGHT[None, None], np.float64(3.0), np.array(3.0), {"values": RIGHT},
+        np.zeros((0, 48)), np.tile(RIGHT, (9, 1)), RIGHT[None, None],
+        np.float64(3.0), np.array(3.0), {"values": RIGHT},
     ],
 )  # fmt: skip
 def test_what_is_no_row_of_values_is_wrong(values):
@@ -105,6 +106,15 @@ def test_of_several_roots_the_one_that_earns_least_decides():
     assert mark(np.array([RIGHT, A**3 * B]), answer_of(KNOWN[0]), NEAR).alternative == (
         "another question's answer"
     )
+
+
+def test_where_some_of_several_roots_are_right_this_is_told_before_what_is_wrong():
+    one = mark(np.array([RIGHT, A * B, A + B]))
+    assert one.feedback.startswith("1 of your 3 results is right. About another one: ")
+    assert one.feedback.endswith(mark(A * B).feedback)
+    assert "2 of your 3 results are right." in mark(np.array([RIGHT, A + B, RIGHT])).feedback
+    assert mark(np.array([A * B, A + B])).feedback == mark(A * B).feedback
+    assert mark(np.array([RIGHT, RIGHT])).feedback == mark(RIGHT).feedback
 
 
 def test_what_it_has_to_be_free_of_is_named():

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import zlib
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,8 +12,8 @@ from autograder.exchange.messages import Message
 from autograder.kinds.expression.answer import ExpressionAlternative, ExpressionAnswer
 from autograder.kinds.expression.diagnosis import diagnose_expression
 from autograder.kinds.expression.equal_values import Points, nearly_equal, same_values
-from autograder.kinds.expression.question import Expression
-from autograder.language import _
+from autograder.kinds.expression.question import MOST_ROOTS, Expression
+from autograder.language import _, n_
 from autograder.questions.drawn import NOTHING_AROUND, Around
 from autograder.questions.key_formulas import evaluate_formula
 from autograder.questions.mark import Mark, status_for
@@ -51,9 +52,18 @@ def mark_expression(
     ``values`` are the response's values at ``points``, of any type: they come from the student's
     process and are not trusted.
     """
-    if isinstance(values, np.ndarray) and values.ndim == 2 and len(values) > 0:
+    if isinstance(values, np.ndarray) and values.ndim == 2 and 0 < len(values) <= MOST_ROOTS:
         marks = [mark_expression(question, answer, points, row, around) for row in values]
-        return min(marks, key=lambda mark: mark.credit)
+        worst = min(marks, key=lambda mark: mark.credit)
+        right = sum(mark.credit == 1 for mark in marks)
+        if right == len(marks) or right == 0:
+            return worst
+        said = n_(
+            "{right} of your {count} results is right. About another one:",
+            "{right} of your {count} results are right. About another one:",
+            right,
+        ).format(right=right, count=len(marks))
+        return replace(worst, feedback=f"{said} {worst.feedback}")
     count = len(next(iter(points.values())))
     known: Message = {"explanation": answer.explanation}
     if not (

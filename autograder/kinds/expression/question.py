@@ -9,6 +9,8 @@ from msgspec import Meta
 from autograder.questions.author_tables import FieldError, PythonName, check_python_name
 from autograder.questions.question import PointedQuestion
 
+MOST_ROOTS = 8  # results of which each is compared, as those of `sympy.solve`
+
 
 class Expression(PointedQuestion, frozen=True, kw_only=True, tag="expression"):
     """A sympy expression in the declared symbols (name -> meaning)."""

@@ -151,6 +151,15 @@ def _negative(_: Case, right: object, given: object) -> object:
     return _like(given, -_numbers(given))
 
 
+def _whole(_: Case, right: object, given: object) -> object:
+    array = np.asarray(given)
+    if array.size == 0:
+        return given
+    if array.dtype.kind != "f" or not np.all(array == np.round(array)):
+        raise NotForThis
+    return _like(given, array.astype(int))
+
+
 def _of_mask(_: Case, right: object, given: object) -> object:
     mask = np.asarray(given)
     if mask.dtype.kind != "b" or mask.ndim != 1:
@@ -242,6 +251,11 @@ _OF_RESULTS: tuple[tuple[str, str, Repair], ...] = (
     ("a count for indices", N_("it is returned how many there are, and not which"), _of_count),
     ("the others", N_("exactly those are returned that are not asked for"), _of_others),
     ("one more", N_("the count begins or ends one too late"), _less_one),
+    (
+        "floats for indices",
+        N_("indices are floats and not whole numbers"),
+        _whole,
+    ),
     ("degrees", N_("an angle is in degrees; radians are asked for"), _radians),
     ("sign turned", N_("the sign is turned round"), _negative),
     (

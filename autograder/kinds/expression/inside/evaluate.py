@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 import numbers
-import sys
 
 import numpy as np
 
 from autograder.exchange.messages import Message, Value
+from autograder.kinds.expression.inside.several_results import several_results
 from autograder.kinds.expression.inside.values import values_at
+from autograder.kinds.expression.question import MOST_ROOTS
 from autograder.sandbox.inside.plain_data import Unusable, is_sympy, only_entry
-
-MOST_ROOTS = 8
 
 
 def evaluate(response: object, probe: Message) -> Message:
@@ -23,31 +22,16 @@ def evaluate(response: object, probe: Message) -> Message:
         Unusable: if it has none.
     """
     points: dict[str, np.ndarray] = probe["points"]
-    entries = _entries(response)
+    entries = several_results(response)
     if entries is None:
         return {"values": _values(only_entry(response), points)}
+    if not entries:
+        raise Unusable("empty")
     if len(entries) == 1:
         return {"values": _values(only_entry(entries[0]), points)}
-    if not 1 < len(entries) <= MOST_ROOTS:
+    if len(entries) > MOST_ROOTS:
         raise Unusable("several")
     return {"values": np.array([_values(only_entry(entry), points) for entry in entries])}
-
-
-def _entries(response: object) -> list[Value] | None:
-    """The entries of what sympy gives for several results: a set, a list.
-
-    A polynomial (``sp.Poly``) is one result. None for what holds one at most.
-    """
-    if isinstance(response, list | tuple):
-        return list(response)
-    sp = sys.modules.get("sympy")
-    if sp is None:
-        return None
-    if isinstance(response, sp.FiniteSet | sp.Tuple):
-        return list(response.args)
-    if isinstance(response, sp.Poly):
-        return [response.as_expr()]
-    return None
 
 
 def _values(response: Value, points: dict[str, np.ndarray]) -> np.ndarray:
@@ -67,6 +51,8 @@ def _values(response: Value, points: dict[str, np.ndarray]) -> np.ndarray:
         raise Unusable("equation")
     if isinstance(response, sp.Lambda):  # to sympy an expression, to its author a function
         raise Unusable("callable")
+    if isinstance(response, sp.Set):
+        raise Unusable("set")
     if not isinstance(response, sp.Expr):
         raise Unusable("not an expression")
     response = response.doit()
