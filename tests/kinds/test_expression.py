@@ -163,6 +163,18 @@ def test_all_the_turns_of_an_angle_are_right_together(marker):
     assert mark(marker, "Q2.2f2", quarters).credit < 1
 
 
+@pytest.mark.parametrize("pi", [3.14, 3.1416, 3.14159])
+def test_a_rounded_pi_is_wrong_and_told_so(marker, pi):
+    S_xx, S_yy, S_xy = sp.symbols("S_xx S_yy S_xy")
+    angle = sp.atan2(-2 * S_xy, S_yy - S_xx) / 2
+    for response in (angle + pi, sp.atan2(2 * S_xy, S_xx - S_yy) / 2 + pi / 2):
+        verdict = mark(marker, "Q2.2f2", response)
+        assert (verdict.status, verdict.alternative) == ("wrong", "a rounded number")
+        assert "a number in it was rounded" in verdict.feedback
+    assert mark(marker, "Q2.2f2", angle + math.pi).status == "right"
+    assert mark(marker, "Q2.2f2", angle + 3.1).alternative != "a rounded number"
+
+
 def test_a_result_that_still_depends_on_r_is_told_so(marker):
     r, alpha, N, sum_x, sum_y = sp.symbols("r alpha N sum_x sum_y")
     form = (sum_x * sp.cos(alpha) + sum_y * sp.sin(alpha)) / N + (r - sp.cos(r)) / 1000
@@ -239,7 +251,8 @@ def test_whatever_form_sympy_gives_a_solution_in_is_right(toy, solved):
         (sp.Integer(12), "wrong", 0, None),
         (12, "wrong", 0, None),
         (2 * (A + B) * (1 + sp.Float("1e-12")), "right", 1, "right"),
-        (2 * (A + B) * (1 + sp.Float("1e-5")), "wrong", 0, None),
+        (2 * (A + B) * (1 + sp.Float("1e-5")), "wrong", 0, "a rounded number"),
+        (2 * (A + B) * (1 + sp.Float("6e-3")), "wrong", 0, None),
         (2 * (A + B) + sp.I, "wrong", 0, None),
         (2 * (A + B) + 0 * sp.log(-1), "right", 1, "right"),
         (sp.log(-A) + 2 * (A + B), "wrong", 0, None),

@@ -141,6 +141,16 @@ def test_a_wrong_expression_gets_a_name_and_what_it_was_found_by():
     assert (verdict.evidence, verdict.explanation) == ("factor 3.5", "why")
 
 
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("size", [1e308, 1e308j, 1e-320, np.nan, np.inf])
+def test_values_of_any_size_are_compared_without_a_warning(size):
+    sums = ExpressionAlternative(
+        name="right", credit=1.0, expression="3*a - 2*b + a*b", feedback=""
+    )
+    for answer in (ANSWER, answer_of(sums)):
+        assert mark(np.full(RIGHT.shape, size), answer).credit == 0
+
+
 def test_the_answer_to_a_neighbor_is_told():
     alone = answer_of(KNOWN[0])
     assert mark(A**3 * B, alone, NEAR).alternative == "another question's answer"

@@ -17,7 +17,7 @@ from autograder.diagnosis.relations import (
 )
 from autograder.errors import CourseError
 from autograder.kinds.expression.answer import ExpressionAlternative, ExpressionAnswer
-from autograder.kinds.expression.equal_values import Points, same_values
+from autograder.kinds.expression.equal_values import Points, almost_same_values, same_values
 from autograder.kinds.expression.question import Expression
 from autograder.kinds.expression.slopes import slopes
 from autograder.kinds.expression.wrong_throughout import terms, wholes
@@ -151,6 +151,10 @@ def _diagnoses(
                 "is wrong."
             ).format(first=words)
             yield Diagnosis(f"{name}, and a constant factor", said, text)
+    words = _(
+        "a number in it was rounded, such as 3.14 for pi: the values come close to the right ones"
+    )
+    yield told(almost_same_values(expected, values, period), "a rounded number", words)
 
 
 @lru_cache(maxsize=256)  # a class with numbers of their own has many
@@ -194,8 +198,9 @@ def _by_terms(
         return None
     factors: NDArray[np.float64] = np.linalg.lstsq(matrix, values.real, rcond=None)[0]
     size = np.maximum(np.abs(values.real), 1e-3)
-    if np.any(np.abs(matrix @ factors - values.real) > 1e-7 * size):
-        return None
+    with np.errstate(all="ignore"):
+        if not np.all(np.abs(matrix @ factors - values.real) <= 1e-7 * size):
+            return None
     factors = np.round(factors, 6)
     wrong = [i for i, factor in enumerate(factors) if factor != 1]
     evidence = "; ".join(f"{factors[i]:g} times the term {parts[i]}" for i in wrong)
@@ -246,9 +251,10 @@ def _constant(values: Values, expected: np.ndarray) -> float | None:
         return None
     with np.errstate(all="ignore"):
         ratios = values[telling] / expected[telling]
+        spread = np.max(np.abs(ratios - ratios[0]))
     if not np.all(np.isfinite(ratios)) or abs(ratios[0]) < 1e-6 or abs(ratios[0] - 1) < 1e-2:
         return None
-    if np.max(np.abs(ratios - ratios[0])) > 1e-7 * abs(ratios[0]) or abs(ratios[0].imag) > 1e-9:
+    if spread > 1e-7 * abs(ratios[0]) or abs(ratios[0].imag) > 1e-9:
         return None
     return float(ratios[0].real)
 
