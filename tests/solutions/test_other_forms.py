@@ -16,6 +16,7 @@ from solutions.cases.line_fitting import same_covariance, same_line
 from solutions.cases.ransac import same_count
 from solutions.lines.line_fitting import fit_line, line_covariance
 from solutions.place_recognition.inverted_file import build_inverted_file
+from solutions.ransac.adaptive import msac_cost
 from solutions.ransac.line import ransac_line
 from solutions.ransac.walls import find_walls
 from tests.conftest import ROOT
@@ -67,6 +68,27 @@ def test_values_that_only_their_form_makes_wrong_are_not_put_down_to_random_draw
     found = mark("Q3.6", changed(find_walls, with_complex))
     assert found.credit < 1
     assert found.alternative is None
+
+
+def test_a_generator_that_the_given_one_spawned_counts_as_it_does():
+    def searching(points: Any, threshold: Any, iterations: Any, rng: Any) -> Any:
+        return ransac_line(points, threshold, iterations, rng.spawn(2)[1])
+
+    def searching_less(points: Any, threshold: Any, iterations: Any, rng: Any) -> Any:
+        return ransac_line(points, threshold, iterations // 2, rng.spawn(1)[0])
+
+    assert mark("Q3.4", searching).status == "right"
+    assert mark("Q3.4", searching_less).credit < 1
+
+
+def test_the_terms_of_a_sum_and_a_second_result_are_named():
+    terms = mark("Q3.7b", lambda offsets, threshold: np.minimum(offsets**2, threshold**2))
+    assert terms.alternative == "terms for a sum"
+    two = mark("Q3.7b", lambda offsets, t: (msac_cost(offsets, t), len(offsets)))
+    assert two.alternative == "more results"
+    nothing = mark("Q3.7b", lambda offsets, threshold: None)
+    assert nothing.alternative == "returns nothing"
+    assert "nothing is returned" in nothing.feedback
 
 
 @pytest.mark.parametrize("shape", [(), (1,)])
