@@ -329,7 +329,7 @@ def main() -> int:
     parser = argparse.ArgumentParser(prog="python -m benchmarks.grading", description=__doc__)
     parser.add_argument("--students", type=int, default=20)
     parser.add_argument("--rounds", type=int, default=3)
-    parser.add_argument("--whole", type=int, default=60, help="one more class; 0 leaves it out")
+    parser.add_argument("--whole", type=int, default=200, help="one more class; 0 leaves it out")
     parser.add_argument("--large", type=int, default=1000, help="0 leaves the large class out")
     parser.add_argument("--own", action="store_true", help="this project only; writes nothing")
     parser.add_argument("--environments", type=Path, help="keep the peers' environments here")

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import json
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -21,7 +20,7 @@ from autograder.cli.shared_arguments import (
     load,
     print_json,
 )
-from autograder.course.folders import SOLUTIONS, SOLVED, student_notebooks
+from autograder.course.folders import SOLUTIONS, SOLVED, readable_notebooks, student_notebooks
 from autograder.language import _, n_
 
 if TYPE_CHECKING:
@@ -75,9 +74,7 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
             records, _matches = with_people(book.records(), find_class_list(parsed, book))
             submissions = [record.graded.submission for record in records]
             names = names_of(records)
-    untouched = [
-        json.loads(path.read_text(encoding="utf-8")) for path in student_notebooks(course.root)
-    ]
+    untouched = list(readable_notebooks(student_notebooks(course.root)))
     handout = fingerprints(handout_cells(untouched))
     chapters = [chapter.name for chapter in course.chapters]
     students = {}
@@ -165,10 +162,7 @@ def _public(root: Path) -> dict[str, Code]:
     from autograder.reports.code_fingerprints import fingerprints
     from autograder.reports.similarity import handout_cells
 
-    solved = [
-        json.loads(path.read_text(encoding="utf-8"))
-        for path in sorted((root / SOLVED).glob("*.ipynb"))
-    ]
+    solved = list(readable_notebooks(sorted((root / SOLVED).glob("*.ipynb"))))
     references = [
         path.read_text(encoding="utf-8") for path in sorted((root / SOLUTIONS).rglob("*.py"))
     ]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -14,6 +13,7 @@ from autograder.course.course_version import course_version
 from autograder.course.folders import (
     ANSWERS,
     QUESTIONS,
+    readable_notebooks,
     student_notebooks,
 )
 from autograder.course.places import Places
@@ -233,13 +233,12 @@ class Course:
 
         A submission that left them unchanged is graded without running them.
         """
-        cells = [
-            cell
-            for path in student_notebooks(self.root)
-            for cell in json.loads(path.read_text(encoding="utf-8"))["cells"]
-            if DEMO in cell["metadata"].get("tags", ())
-        ]
-        return frozenset("".join(cell["source"]) for cell in cells)
+        return frozenset(
+            cell["source"]
+            for notebook in readable_notebooks(student_notebooks(self.root))
+            for cell in notebook["cells"]
+            if DEMO in (cell["metadata"].get("tags") or ())
+        )
 
     @cached_property
     def version(self) -> str:

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import json
+from collections.abc import Iterable, Iterator
 from pathlib import Path
+from typing import Any
 
 NOTEBOOKS = Path("notebooks")  # as students get them, and the packages that they import
 MASTERS = NOTEBOOKS / "source"
@@ -18,6 +21,28 @@ VISIBLE_FILES = ("pyproject.toml", "places.toml")
 def student_notebooks(root: Path) -> list[Path]:
     """The notebooks of a course as students get them, by name."""
     return sorted((root / NOTEBOOKS).glob("*.ipynb"))
+
+
+def readable_notebooks(paths: Iterable[Path]) -> Iterator[dict[str, Any]]:
+    """The notebooks among files, as read: one that a merge has damaged is left out.
+
+    A student's repository holds their own, which are named as unreadable where they are graded.
+    """
+    for path in paths:
+        try:
+            notebook = json.loads(path.read_text(encoding="utf-8-sig"))
+            cells = [
+                {
+                    **cell,
+                    "cell_type": str(cell["cell_type"]),
+                    "metadata": dict(cell.get("metadata") or {}),
+                    "source": "".join(cell["source"]),
+                }
+                for cell in notebook["cells"]
+            ]
+        except (OSError, ValueError, KeyError, TypeError, RecursionError):
+            continue
+        yield {**notebook, "cells": cells}
 
 
 def cell_id(question: str, part: str) -> str:

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import ast
-import json
 
 from autograder.course import Course
-from autograder.course.folders import student_notebooks
+from autograder.course.folders import readable_notebooks, student_notebooks
 from autograder.course.questions import Question
 from autograder.questions.drawn import Around
 
@@ -24,15 +23,18 @@ def around(course: Course, question: Question) -> Around:
 def _numbers(course: Course, chapter: str) -> dict[str, float]:
     """What a chapter's notebook assigns as a plain number to a name; the first one counts."""
     found: dict[str, float] = {}
-    for path in student_notebooks(course.root):
-        if path.stem != chapter and not path.stem.endswith(f"_{chapter}"):
-            continue
-        for cell in json.loads(path.read_text(encoding="utf-8"))["cells"]:
+    own = [
+        path
+        for path in student_notebooks(course.root)
+        if path.stem == chapter or path.stem.endswith(f"_{chapter}")
+    ]
+    for notebook in readable_notebooks(own):
+        for cell in notebook["cells"]:
             if cell["cell_type"] != "code":
                 continue
             try:
-                tree = ast.parse("".join(cell["source"]))
-            except SyntaxError:  # a cell of the notebook's own commands, such as %pip
+                tree = ast.parse(cell["source"])
+            except (SyntaxError, ValueError):  # a cell of the notebook's own commands, such as %pip
                 continue
             for statement in tree.body:
                 match statement:

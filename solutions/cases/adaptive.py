@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from solutions.cases.case import Case, Value
+from solutions.cases.case import Case, Value, real
 
 
 def adaptive_stop_cases(rng: np.random.Generator) -> list[Case]:
@@ -62,7 +62,7 @@ def same_stop(case: Case, expected: Value, actual: Value) -> bool:
     if isinstance(actual, bool | str) or np.size(actual) != 1:
         return False
     try:
-        return float(np.asarray(actual, dtype=float).reshape(())) == float(expected)
+        return real(actual) == float(expected)
     except (TypeError, ValueError, OverflowError):
         return False
 
@@ -72,7 +72,7 @@ def same_cost(case: Case, expected: Value, actual: Value) -> bool:
     if isinstance(actual, bool | str) or np.size(actual) != 1:
         return False
     try:
-        cost = float(np.asarray(actual, dtype=float).reshape(()))
+        cost = real(actual)
     except (TypeError, ValueError, OverflowError):
         return False
     return math.isclose(cost, float(expected), rel_tol=1e-5, abs_tol=1e-12)

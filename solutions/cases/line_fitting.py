@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from solutions.cases.case import Case, Value
+from solutions.cases.case import Case, Value, real, real_numbers
 from solutions.lines.line_fitting import fit_line, line_covariance, positions_along
 
 
@@ -130,7 +130,7 @@ def same_line(case: Case, expected: Value, actual: Value) -> bool:
     if len(points) == 1 or not _one_line_is_the_best(points):
         return True  # the reference raises: one line is as wrong as another
     try:
-        r, alpha = (float(value) for value in actual)
+        r, alpha = (real(value) for value in actual)
     except (TypeError, ValueError, OverflowError):
         return False
     if not (math.isfinite(r) and math.isfinite(alpha)):
@@ -191,7 +191,7 @@ def same_covariance(case: Case, expected: Value, actual: object) -> bool:
     rough wall they differ by some per cent, and either is right.
     """
     try:
-        values = np.asarray(actual, dtype=float)
+        values = real_numbers(actual)
     except (TypeError, ValueError, OverflowError):
         return False
     if values.shape != (2, 2) or not np.isfinite(values).all():

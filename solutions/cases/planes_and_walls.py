@@ -8,7 +8,7 @@ import math
 
 import numpy as np
 
-from solutions.cases.case import Case, Value, seed_of
+from solutions.cases.case import Case, Value, real, real_numbers, seed_of
 from solutions.cases.consensus import (
     EXACT,
     INSIDE,
@@ -125,7 +125,7 @@ def same_plane(case: Case, expected: Value, actual: Value) -> bool:
         return True  # no plane, and the reference raises: one value is as wrong as another
     try:
         (normal, r), inliers = actual
-        normal, r = np.asarray(normal, dtype=float), float(r)
+        normal, r = real_numbers(normal), real(r)
         inliers = np.asarray(inliers)
     except (TypeError, ValueError, OverflowError):
         return False
@@ -219,7 +219,7 @@ def same_walls(case: Case, expected: Value, actual: Value) -> bool:
     """Tell whether the same walls were found in the same order, which is that of their sizes."""
     try:
         walls = [
-            (float(line[0]), float(line[1]), np.sort(np.asarray(indices).ravel()))
+            (real(line[0]), real(line[1]), np.sort(np.asarray(indices).ravel()))
             for line, indices in actual
         ]
     except (TypeError, ValueError, OverflowError, IndexError):

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from solutions.cases.case import Case, Value, seed_of
+from solutions.cases.case import Case, Value, real, seed_of
 from solutions.cases.consensus import (
     EXACT,
     INSIDE,
@@ -79,7 +79,7 @@ def same_count(case: Case, expected: Value, actual: Value) -> bool:
     if isinstance(actual, bool | str) or np.size(actual) != 1:
         return False
     try:
-        count = float(np.asarray(actual, dtype=float).reshape(()))
+        count = real(actual)
     except (TypeError, ValueError, OverflowError):
         return False
     if not expected < math.inf:
@@ -184,7 +184,7 @@ def same_consensus(case: Case, expected: Value, actual: Value) -> bool:
         return True
     try:
         (r, alpha), inliers = actual
-        r, alpha = float(r), float(alpha)
+        r, alpha = real(r), real(alpha)
         inliers = np.asarray(inliers)
     except (TypeError, ValueError, OverflowError):
         return False

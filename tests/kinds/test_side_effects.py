@@ -1,9 +1,13 @@
 """What a call does besides returning a value: change its input, draw random numbers, fail."""
 
+import math
+from decimal import Decimal
+from fractions import Fraction
 from typing import Any
 
 import numpy as np
 import pytest
+import sympy as sp
 
 from autograder.exchange.replies import clean_evaluation
 from autograder.kinds.function.inside.counted_draws import CountedDraws
@@ -53,6 +57,31 @@ def test_a_right_value_is_wrong_if_the_input_was_changed(function, argument):
     assert left_alone == {"value": 1.0}
     assert not right({}, left_alone, changed)
     assert right({}, changed, changed)  # where the reference does so as well
+
+
+@pytest.mark.parametrize(
+    ("returned", "value"),
+    [
+        (Decimal("0.5"), 0.5),
+        ([Decimal("Infinity"), Fraction(1, 2)], [math.inf, 0.5]),
+        (sp.oo, math.inf),
+        ([-sp.oo, sp.Rational(1, 2), sp.Integer(3)], [-math.inf, 0.5, 3]),
+        (complex(2, 0), 2.0),
+        (complex(2, 1), complex(2, 1)),
+        (np.complex64(2), 2.0),
+        ((1, complex(2, -0.0)), [1, 2.0]),
+    ],
+    ids=repr,
+)
+def test_a_number_of_any_library_comes_back_as_the_plain_one(returned, value):
+    back = outcome(lambda: returned)["value"]
+    assert back == value
+    assert type(back) is type(value)
+
+
+def test_an_array_of_complex_numbers_is_real_where_all_its_numbers_are():
+    assert outcome(lambda: np.array([1 + 0j, 2]))["value"].dtype == float
+    assert outcome(lambda: np.array([1 + 0j, 2 + 1e-9j]))["value"].dtype == complex
 
 
 def test_an_input_that_holds_nan_is_not_taken_for_changed():

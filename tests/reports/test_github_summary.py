@@ -81,3 +81,17 @@ def test_grading_writes_the_summary_and_the_remarks_at_the_notebooks(
     page = (tmp_path / "page.md").read_text(encoding="utf-8")
     assert page.startswith("## boole")
     assert page.count("| Q") == 4
+
+
+def test_a_notebook_that_a_merge_has_damaged_does_not_end_the_grading_of_its_repository(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+):
+    """In a student's repository the course's notebooks are the student's own."""
+    make_course(tmp_path / "course")
+    damaged = "<<<<<<< HEAD\n{}\n=======\n"
+    for name in ("1_orchard.ipynb", "scratch.ipynb"):
+        (tmp_path / "course/notebooks" / name).write_text(damaged, encoding="utf-8")
+    hand_in(tmp_path / "work", "boole", Q2="trees = 7")
+    monkeypatch.chdir(tmp_path)
+    for command in (["grade", "work"], ["similar"]):
+        assert main(["--course", str(tmp_path / "course"), *command, "--out", "grades"]) == 0

@@ -33,7 +33,7 @@ def changes(
     yield (
         told(
             "returns nothing",
-            N_("the result is printed or kept, but never returned: add a return"),
+            N_("nothing is returned: return what is printed or kept in a variable"),
         ),
         lambda _, value: None,
     )

@@ -14,6 +14,7 @@ from autograder.diagnosis.effort import Effort, numbers_in
 from autograder.diagnosis.relations import Diagnosis, looks_as_if
 from autograder.exchange.messages import Value, Values
 from autograder.kinds.function.changed_values import Change, changes
+from autograder.kinds.function.draws import drew
 from autograder.kinds.function.right_but_for_form import Repair, repairs
 from autograder.language import _
 
@@ -56,11 +57,12 @@ def diagnose_function(
     order = [*wrong, *(i for i in telling if verdicts[i])]
     if any(not (isinstance(outcomes[i], dict) and "value" in outcomes[i]) for i in order):
         return None  # an exception that counts as right
-    if all(_explains(_itself, cases[i], right[i], outcomes[i], same) for i in asked):
-        return _right_but(cases, outcomes, wrong)
+    is_equal = all(_explains(_itself, cases[i], right[i], outcomes[i], same) for i in asked)
+    if is_equal and (found := _right_but(cases, outcomes, wrong)):
+        return found
     costs = {i: _A_COMPARISON + numbers_in(outcomes[i]) for i in asked}
     effort = Effort(_MOST_STEPS)
-    for diagnosis, change in changes(cases, right, asked):
+    for diagnosis, change in () if is_equal else changes(cases, right, asked):
         for i in order:
             if not effort.spend(costs[i]):
                 return None
@@ -202,7 +204,7 @@ def _right_but(
             "changes its input",
             looks_as_if(_("the values are right, but the input is changed in place: use a copy")),
         )
-    if all({"draws", "samples"} & set(cases[i]) and "changed" not in outcomes[i] for i in wrong):
+    if all(drew(cases[i], outcomes[i]) and "changed" not in outcomes[i] for i in wrong):
         return Diagnosis(
             "other number of draws",
             looks_as_if(

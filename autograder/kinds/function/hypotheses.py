@@ -47,7 +47,7 @@ _SLOW = 300_000  # for right work in other clothes on all cases: it is not chang
 _TIMES_AS_MANY = 20  # turns of loops as what it was made of takes, that a mutant may take
 _TURNS_AT_LEAST = 1000
 _REMARK = re.compile(r"#\s*names:\s*(.+?)\s*$")
-_LOST: Outcome = {"unusable": "not plain"}
+_LOST: Outcome = {"unusable": "a change that never ended"}  # which no response's outcome is
 
 
 class Hypotheses:

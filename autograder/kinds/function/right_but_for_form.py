@@ -94,7 +94,9 @@ def _only_the_first(_: Case, right: object, given: object) -> object:
 
 
 def _without_more(_: Case, right: object, given: object) -> object:
-    """Several results, and beside them something else."""
+    """One result or several, and beside them something else."""
+    if isinstance(right, int | float) and isinstance(given, list) and 2 <= len(given) <= 4:
+        return given[0]
     if not (isinstance(right, list) and isinstance(given, list) and 2 <= len(right) < len(given)):
         raise NotForThis
     if len(given) > len(PLACES):
@@ -149,6 +151,22 @@ def _radians(_: Case, right: object, given: object) -> object:
 
 def _negative(_: Case, right: object, given: object) -> object:
     return _like(given, -_numbers(given))
+
+
+def _sum_of_terms(_: Case, right: object, given: object) -> object:
+    terms = _numbers(given)
+    if not isinstance(right, int | float) or terms.ndim != 1:
+        raise NotForThis
+    return float(terms.sum())
+
+
+def _whole(_: Case, right: object, given: object) -> object:
+    array = np.asarray(given)
+    if array.size == 0:
+        return given
+    if array.dtype.kind != "f" or not np.all(array == np.round(array)):
+        raise NotForThis
+    return _like(given, array.astype(int))
 
 
 def _of_mask(_: Case, right: object, given: object) -> object:
@@ -242,6 +260,11 @@ _OF_RESULTS: tuple[tuple[str, str, Repair], ...] = (
     ("a count for indices", N_("it is returned how many there are, and not which"), _of_count),
     ("the others", N_("exactly those are returned that are not asked for"), _of_others),
     ("one more", N_("the count begins or ends one too late"), _less_one),
+    (
+        "floats for indices",
+        N_("indices are floats and not whole numbers"),
+        _whole,
+    ),
     ("degrees", N_("an angle is in degrees; radians are asked for"), _radians),
     ("sign turned", N_("the sign is turned round"), _negative),
     (
@@ -255,4 +278,9 @@ _UNUSUAL: tuple[tuple[str, str, Repair], ...] = (
     ("a count for indices", *_OF_RESULTS[2][1:]),
     ("the others", *_OF_RESULTS[3][1:]),
     _OF_RESULTS[-1],
+    (
+        "terms for a sum",
+        N_("the single terms are returned and not their sum"),
+        _sum_of_terms,
+    ),
 )

@@ -8,6 +8,7 @@ import math
 import numbers
 import sys
 from collections.abc import Collection
+from decimal import Decimal
 from typing import Any
 
 import numpy as np
@@ -82,6 +83,10 @@ def plain_number(response: Any) -> int | float:
 def _number_of_sympy(response: Any) -> int | complex:
     import sympy as sp
 
+    if isinstance(response, sp.Eq):
+        raise Unusable("equation")
+    if isinstance(response, sp.Lambda):  # to sympy an expression, to its author a function
+        raise Unusable("callable")
     if response.free_symbols:
         raise Unusable("symbols left")
     if not isinstance(response, sp.Expr):  # a set, a condition
@@ -89,6 +94,11 @@ def _number_of_sympy(response: Any) -> int | complex:
     if isinstance(response, sp.Float):
         return float(str(response))  # `N(x, 2)` shows two digits and holds more of another number
     return int(response) if response.is_Integer else complex(response.evalf())
+
+
+def _number_or_infinity(value: Any) -> int | float:
+    """What sympy computed: to a function of numbers its infinity is as good as Python's."""
+    return float(value) if value.is_infinite and value.is_extended_real else plain_number(value)
 
 
 def only_entry(response: object) -> object:
@@ -164,6 +174,8 @@ def to_plain(value: object, depth: int = 0) -> object:
         array = np.array(value, subok=False)
         if array.dtype in (np.longdouble, np.clongdouble):
             array = array.astype(complex if array.dtype.kind == "c" else float)
+        if array.dtype.kind == "c" and not array.imag.any():
+            return array.real  # what a solver of any equation gives for real roots
         if array.dtype.kind in "biufc":
             return array
         return [to_plain(entry, depth + 1) for entry in array.tolist()]
@@ -176,12 +188,12 @@ def to_plain(value: object, depth: int = 0) -> object:
         if number.bit_length() > 1000:
             raise Unusable("not finite")
         return number
-    if isinstance(value, numbers.Real):
+    if isinstance(value, numbers.Real | Decimal):
         return float(value)
     if isinstance(value, complex):
-        return complex(value)
+        return complex(value) if value.imag else float(value.real)
     if is_sympy(value) and getattr(value, "is_number", False):
-        return plain_number(value)
+        return _number_or_infinity(value)
     if isinstance(value, dict):
         return {_key(key): to_plain(entry, depth + 1) for key, entry in value.items()}
     if isinstance(value, list | tuple | set | frozenset):
