@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
+from urllib.parse import unquote
 
 from autograder.authoring.master import Master
 from autograder.course import Course
-from autograder.course.folders import MASTERS
+from autograder.course.folders import MASTERS, NOTEBOOKS
 from autograder.errors import CourseError
+
+_PICTURE = re.compile(r"!\[[^\]]*\]\(\s*<?([^)\s>]+)")
+_ELSEWHERE = re.compile(r"[a-zA-Z][\w+.-]*:|/")  # a URL, an attachment, another machine's place
 
 
 def check_predictions(course: Course, masters: list[Master]) -> None:
@@ -58,6 +63,23 @@ def check_identity(course: Course, masters: list[Master]) -> None:
             "the sheet's numbers and are marked by others: write me() in a code cell of "
             f"{MASTERS.as_posix()}/{masters[0].path.name}, above its first question."
         )
+
+
+def check_pictures(course: Course, masters: list[Master]) -> None:
+    """Each picture that the prose shows by a relative path is there."""
+    folder = course.root / NOTEBOOKS
+    for master in masters:
+        for path in (
+            path
+            for cell in master.cells
+            if cell.kind == "markdown"
+            for path in _PICTURE.findall(cell.source)
+        ):
+            if not (_ELSEWHERE.match(path) or (folder / unquote(path)).is_file()):
+                raise CourseError(
+                    f"{master.where(path)} shows the picture {path}, which does not exist; write "
+                    f"its path as seen from {NOTEBOOKS.as_posix()}/, such as ../data/picture.png."
+                )
 
 
 def lines_of(masters: Iterable[Master], sought: str) -> str:

@@ -19,6 +19,7 @@ _BLANKS = re.compile(r"\s+")
 _PARTS = re.compile(r"\w+|\*\*|\S")  # of a formula
 # How one formula is typed in Python, in Markdown and in TeX.
 _SIGNS = ((r"\cdot", "*"), ("·", "*"), ("×", "*"), ("^", "**"), ("{", "("), ("}", ")"), ("$", ""))
+_MANY_DIGITS = 3  # of a value that a hint may not hold: twelve is also a number of steps
 _SHORTEST = 5  # signs of a formula that a hint may not hold; shorter ones stand in any sentence
 
 
@@ -31,7 +32,10 @@ def problems_of_hints(question: Question, answer: Answer) -> Iterator[tuple[str,
         path = ("hints", position)
         if hint == on_one_line(question.prompt):
             yield "this hint only says the prompt again; help with the first step", path
-        elif told := _right_text_in(question, answer, hint):
+        elif told := (
+            _right_text_in(question, answer, hint)
+            or _right_value_in(question, answer, hint, digits=_MANY_DIGITS)
+        ):
             yield f"this hint holds the whole answer, {told!r}; help with the next step only", path
 
 
@@ -62,10 +66,10 @@ def _right_text_in(question: Question, answer: Answer, hint: str) -> str:
     return ""
 
 
-def _right_value_in(question: Question, answer: Answer, text: str) -> str:
-    """The right value that a text holds, as it is printed; or nothing."""
+def _right_value_in(question: Question, answer: Answer, text: str, digits: int = 2) -> str:
+    """The right value that a text holds, as it is printed with so many digits; or nothing."""
     for value in kind_of(question).secret_numbers(question, answer):
-        long = sum(sign.isdigit() for sign in value) > 1  # a single digit stands in many a text
+        long = sum(sign.isdigit() for sign in value) >= digits  # few stand in many a text
         if long and re.search(rf"(?<![\w.]){re.escape(value)}(?!\w|\.\d)", text):
             return value
     return ""

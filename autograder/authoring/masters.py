@@ -10,6 +10,7 @@ import jupytext
 
 from autograder.authoring.asked_in_masters import (
     check_identity,
+    check_pictures,
     check_predictions,
     check_stories,
     lines_of,
@@ -29,7 +30,8 @@ def read_masters(course: Course) -> list[Master]:
 
     Raises:
         CourseError: if a question or a prediction is asked twice, in the wrong chapter, or never,
-            if an exercise cell holds anything, or if nobody asks whose numbers a notebook has.
+            if an exercise cell holds anything, if a picture is missing, or if nobody asks whose
+            numbers a notebook has.
     """
     paths = sorted((course.root / MASTERS).glob("*.py"))
     if not paths:
@@ -46,6 +48,7 @@ def read_masters(course: Course) -> list[Master]:
     check_predictions(course, masters)
     check_stories(course, masters)
     check_identity(course, masters)
+    check_pictures(course, masters)
     return masters
 
 

@@ -32,6 +32,10 @@ def read_toml(path: Path, missing: str) -> tuple[str, dict[str, object]]:
     """
     try:
         text = path.read_text(encoding="utf-8")
+        if text.startswith("\ufeff"):  # pip and uv would not read it either
+            raise CourseError(
+                f"{path} begins with a byte order mark; save it as UTF-8 without one."
+            )
         return text, tomllib.loads(text)
     except FileNotFoundError:
         raise CourseError(f"{path} is missing; {missing}.") from None

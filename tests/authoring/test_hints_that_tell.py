@@ -71,3 +71,13 @@ def test_a_hint_or_feedback_that_tells_is_named_with_its_line(toy, poor: str):
 def test_a_hint_towards_the_answer_is_no_answer(toy, hint: str):
     toy.replace(QUESTIONS, "Walk around it.", hint)
     assert list(prove_for_students(toy.load())) == []
+
+
+@pytest.mark.parametrize(("eggs", "told"), [("12", False), ("144", True)])
+def test_a_hint_with_the_right_number_tells_if_it_can_be_nothing_else(toy, eggs: str, told: bool):
+    """Twelve may be a number of steps; 144 is what was asked for."""
+    toy.replace(ANSWERS, "value = 12\n", f"value = {eggs}\n")
+    toy.replace(QUESTIONS, "Count one box first.", f"You should come to {eggs}.")
+    found = list(prove_for_students(toy.load()))
+    assert bool(found) == told
+    assert all(f"this hint holds the whole answer, '{eggs}'" in said for said in found)

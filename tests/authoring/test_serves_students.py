@@ -9,6 +9,7 @@ import pytest
 from autograder.authoring.proof import prove_course
 from autograder.authoring.proof_for_students import prove_for_students
 from autograder.course import load_course
+from autograder.errors import CourseError
 from tests.toy import Toy
 
 QUESTIONS = "notebooks/questions/kitchen.toml"
@@ -35,6 +36,51 @@ def test_cases_that_nobody_can_read_are_named_all_the_same(toy):
     toy.append(CASES, "\nimport functools\nmade = functools.partial(mean_weight_cases)\n")
     toy.replace(ANSWERS, "solutions.kitchen:mean_weight_cases", "solutions.kitchen:made")
     assert the_problem(toy).startswith("Q1.5: no case of 'solutions.kitchen:made' is public")
+
+
+def test_a_reference_that_lacks_its_return_is_named(toy):
+    """Everybody who leaves the stub's docstring and writes ``pass`` would be right."""
+    toy.replace(CASES, "    return total / len(weights)", "    total / len(weights)")
+    toy.replace(CASES, "        return 0.0", "        return None")
+    said = next(problem for problem in prove_course(toy.root, mutants=False) if "None" in problem)
+    assert said.startswith("Q1.5: the reference returns None in every case")
+    assert "does it lack a return?" in said
+
+
+@pytest.mark.parametrize(
+    ("drawn", "said"),
+    [
+        ("np.random.default_rng(7)", "are the same in every draw, so that nothing stays hidden"),
+        ("np.random.default_rng()", "differ between two draws of one seed"),
+    ],
+)
+def test_cases_that_are_not_drawn_from_their_generator_are_named(toy, drawn: str, said: str):
+    head = "def mean_weight_cases(rng):\n"
+    toy.replace(CASES, head, f"{head}    import numpy as np\n\n    rng = {drawn}\n")
+    problems = [one for one in prove_course(toy.root, mutants=False) if said in one]
+    (problem,) = problems
+    assert problem.startswith("Q1.5: the cases of 'solutions.kitchen:mean_weight_cases'")
+    assert "draw from the generator that the function is given" in problem
+
+
+def test_a_picture_that_is_not_there_is_named_with_its_line(toy):
+    master = min((toy.root / "notebooks/source").glob("*.py"))
+    shown = "# %% [markdown]\n# ![A pot](../data/my%20pot.png) ![x](https://example.org/x.png)\n"
+    master.write_text(f"{master.read_text()}\n{shown}")
+    said = the_problem(toy)
+    assert f"{master.name}, line {len(master.read_text().splitlines())}" in said
+    assert "shows the picture ../data/my%20pot.png, which does not exist" in said
+    (toy.root / "data").mkdir(exist_ok=True)
+    (toy.root / "data/my pot.png").write_bytes(b"a picture")
+    assert not any("picture" in problem for problem in prove_course(toy.root, mutants=False))
+
+
+@pytest.mark.parametrize("file", [QUESTIONS, "pyproject.toml"])
+def test_a_byte_order_mark_in_a_table_is_named(toy, file: str):
+    path = toy.root / file
+    path.write_text(path.read_text(encoding="utf-8"), encoding="utf-8-sig")
+    with pytest.raises(CourseError, match="begins with a byte order mark"):
+        load_course(toy.root)
 
 
 # What stands there, what is put there; the file and the text whose line is told; what is said.

@@ -17,7 +17,12 @@ from autograder.kinds.function.functions_to_read import draw_reading
 from autograder.kinds.function.marking import mark_function
 from autograder.kinds.function.question import Function
 from autograder.kinds.function.raises_promises import promises
-from autograder.kinds.function.reference_failures import other_counts, reference_failures
+from autograder.kinds.function.reference_failures import (
+    other_counts,
+    problem_of_the_generator,
+    reference_failures,
+    returns_nothing,
+)
 from autograder.kinds.function.stub import function_stub, reference_source
 from autograder.kinds.function.take_snapshot import take_snapshot
 from autograder.kinds.function.trial import FunctionTrial
@@ -122,7 +127,16 @@ class FunctionKind(CodeKind[Function, FunctionAnswer]):
         self, question: Function, answer: FunctionAnswer, drawn: Drawn, root: Path
     ) -> Iterator[str]:
         yield from reference_failures(load_object(answer.reference, root), drawn.expected)
-        place = place_of(load_object(answer.cases, root), root)
+        if returns_nothing(drawn.expected):
+            yield (
+                "the reference returns None in every case, so that an empty function earns "
+                "everything; does it lack a return?"
+            )
+        make_cases = load_object(answer.cases, root)
+        place = place_of(make_cases, root)
+        arguments = any(case["args"] or case.get("kwargs") for case in drawn.expected.cases)
+        if problem := problem_of_the_generator(make_cases, not arguments):
+            yield f"the cases of '{answer.cases}'{place} {problem}."
         for problem in other_counts(drawn.expected):
             yield f"{problem} (the cases are '{answer.cases}'{place})."
         if not any(case.get("public") for case in drawn.expected.cases):

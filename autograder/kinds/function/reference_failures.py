@@ -5,6 +5,8 @@ from __future__ import annotations
 import inspect
 from collections.abc import Callable, Iterator
 
+import numpy as np
+
 from autograder.kinds.function.draws import asked_in_vain
 from autograder.kinds.function.marking import Expected
 
@@ -37,6 +39,45 @@ def reference_failures(reference: Callable[..., object], expected: Expected) -> 
         yield (
             f"the reference raises {raised[0]} in every case; add one for which it returns a value."
         )
+
+
+def returns_nothing(expected: Expected) -> bool:
+    """Whether None is the right value of every case: an empty function would earn everything."""
+    values = [outcome["value"] for outcome in expected.outcomes if "value" in outcome]
+    return bool(values) and all(value is None for value in values)
+
+
+def problem_of_the_generator(
+    make_cases: Callable[[np.random.Generator], object], takes_nothing: bool
+) -> str:
+    """Why cases are not drawn from the generator they are given; empty if they are.
+
+    With other random numbers the same work would not earn the same marks in the next run; with
+    none all the inputs that should be hidden are the same in every draw.
+    """
+    one, again, other = (repr_of(make_cases(np.random.default_rng(seed))) for seed in (1, 1, 2))
+    if one != again:
+        return (
+            "differ between two draws of one seed; draw from the generator that the function is "
+            "given, and from no other"
+        )
+    if one == other and not takes_nothing:
+        return (
+            "are the same in every draw, so that nothing stays hidden; draw from the generator "
+            "that the function is given"
+        )
+    return ""
+
+
+def repr_of(value: object) -> str:
+    """All that a case holds, as text: each number of an array too."""
+    if isinstance(value, np.ndarray):
+        return f"array {value.dtype} {value.tolist()!r}"
+    if isinstance(value, dict):
+        return "{" + ", ".join(f"{key}: {repr_of(entry)}" for key, entry in value.items()) + "}"
+    if isinstance(value, list | tuple):
+        return "[" + ", ".join(map(repr_of, value)) + "]"
+    return repr(value)
 
 
 def other_counts(expected: Expected) -> Iterator[str]:
