@@ -14,6 +14,7 @@ from collections.abc import Iterator, Mapping
 from autograder.course import Course
 from autograder.gradebook import Record
 from autograder.questions.status import Status
+from autograder.reports.json_output import most_for
 
 _REMARKS = {"right": None, "recorded": None, "not attempted": "notice", "partial": "warning"}
 
@@ -33,7 +34,9 @@ def summary(course: Course, record: Record) -> str:
             f"| {record.points(mark.question):g} of {mark.max_points:g} | {_cell(mark.feedback)} |"
         )
     notes = [f"- {_cell(note)}" for note in record.graded.notes]
-    return "\n".join([*lines, "", f"**{record.total:g} points**", "", *notes, ""])
+    so_far = " so far" if record.open else ""
+    total = f"**{record.total:g} of {most_for(course, record):g} points{so_far}**"
+    return "\n".join([*lines, "", total, "", *notes, ""])
 
 
 def remarks(course: Course, record: Record, files: Mapping[str, str]) -> Iterator[str]:

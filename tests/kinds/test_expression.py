@@ -195,7 +195,7 @@ def test_a_result_that_still_depends_on_r_is_told_so(marker):
         (sp.S.EmptySet, "it is empty"),
         (sp.Interval(0, 1), "it is a set"),
         (sp.ImageSet(sp.Lambda(sp.Symbol("n"), sp.Symbol("n")), sp.S.Reals), "it is a set"),
-        (2 * sp.Symbol("c"), "does not declare (declared are a, b, half)"),
+        (2 * sp.Symbol("c"), "does not declare (it declares a, b, half)"),
         (sp.Symbol("a") > 0, "not a sympy expression"),
         (sp.Matrix([1, 2]), "several values"),
         ({sp.Symbol("rim"): sp.Symbol("a"), sp.Symbol("b"): 0}, "several values"),

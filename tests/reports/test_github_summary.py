@@ -22,6 +22,8 @@ class Graded:
 class Handed:
     name = "Ada <b>| Lovelace"
     total = 1.5
+    open = ()
+    scheme = None
 
     def __init__(self, *marks: Mark) -> None:
         self.graded = Graded(*marks)
@@ -81,6 +83,7 @@ def test_grading_writes_the_summary_and_the_remarks_at_the_notebooks(
     page = (tmp_path / "page.md").read_text(encoding="utf-8")
     assert page.startswith("## boole")
     assert page.count("| Q") == 4
+    assert "**6.5 of 10 points**" in page
 
 
 def test_a_notebook_that_a_merge_has_damaged_does_not_end_the_grading_of_its_repository(

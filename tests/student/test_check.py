@@ -67,7 +67,7 @@ def test_a_response_is_marked(orchard: Path, id: str, response: object, status: 
         ("Q2", None, "it is not a number"),
         ("Q3", "2*w + 2*l", "it is a string; write it without quotes"),
         ("Q3", sp.Eq(w, l), "give only the side that is asked for"),
-        ("Q3", sp.Symbol("height"), "declared are w, l"),
+        ("Q3", sp.Symbol("height"), "it declares w, l"),
         ("Q4", 12, "cannot be marked"),
     ],
 )

@@ -95,7 +95,7 @@ class ExpressionKind(CodeKind[Expression, ExpressionAnswer]):
     def why_unusable(self, question: Expression, reason: str) -> str:
         why = super().why_unusable(question, reason)
         if reason == "symbol unknown":
-            declared = _("(declared are {symbols})").format(symbols=", ".join(question.symbols))
+            declared = _("(it declares {symbols})").format(symbols=", ".join(question.symbols))
             why += f" {declared}"
         return why
 
