@@ -9,7 +9,12 @@ import numpy as np
 import pytest
 
 from autograder.kinds.expression.answer import ExpressionAlternative, ExpressionAnswer
-from autograder.kinds.expression.equal_values import TOLERANCE, nearly_equal, same_values
+from autograder.kinds.expression.equal_values import (
+    TOLERANCE,
+    almost_same_values,
+    nearly_equal,
+    same_values,
+)
 from autograder.kinds.expression.marking import hidden_points, mark_expression, matches
 from autograder.kinds.expression.question import Expression
 from autograder.questions.drawn import NOTHING_AROUND, Around
@@ -259,3 +264,19 @@ def test_values_count_where_the_expected_ones_are_defined_in_a_quarter_of_the_po
 )
 def test_whole_turns_are_taken_off_where_there_is_a_period(values, same):
     assert same_values(row(1.0, 2.0), row(*values), 3.0) is same
+
+
+def test_a_rounded_number_moves_values_by_little_of_the_largest():
+    expected = np.array([1.0, -1000.0, 2.0, np.nan])
+    assert almost_same_values(expected, expected * (1 + 1e-4), None) is True
+    assert almost_same_values(expected, np.array([3.0, -1000.0, 2.0, 7.0]), None)
+    assert not almost_same_values(expected, np.array([3.01, -1000.0, 2.0, 7.0]), None)
+    assert not almost_same_values(expected, -expected, None)
+    assert not almost_same_values(expected, np.array([1.0, -1000.0, np.nan, 7.0]), None)
+    assert almost_same_values(expected, expected + np.array([0, 12, -24, 0]), 12.0)
+    assert almost_same_values(np.full(4, np.nan), np.ones(4), None) is False
+
+
+@pytest.mark.parametrize(("rows", "status"), [(8, "right"), (9, "wrong")])
+def test_eight_results_are_marked_and_no_more(rows: int, status: str):
+    assert mark(np.tile(RIGHT, (rows, 1))).status == status

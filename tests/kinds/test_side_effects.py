@@ -223,3 +223,17 @@ def test_a_case_may_say_that_an_exception_is_as_right_as_the_value():
     assert not right(case, expected, raising(ZeroDivisionError()))
     assert not right(case, expected, {"value": 0.0})
     assert not right({}, expected, raising(ValueError()))
+
+
+def test_children_of_a_generator_are_numpys_own_and_draw_on_its_account():
+    counted, plain = CountedDraws(5), np.random.default_rng(5)
+    children, others = counted.spawn(3), plain.spawn(3)
+    assert [child.random() for child in children] == [other.random() for other in others]
+    assert counted.drawn == 3
+    grandchild, other = children[1].spawn(1)[0], others[1].spawn(1)[0]
+    assert grandchild.random(4).tolist() == other.random(4).tolist()
+    assert counted.drawn == children[2].drawn == 7
+    sampled = CountedDraws(5)
+    for child in sampled.spawn(2):
+        child.choice(9, size=2, replace=False)
+    assert sampled.sampled == (2, 2)
