@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from rich.console import Console
 
@@ -74,7 +74,7 @@ def run(parsed: argparse.Namespace, console: Console) -> int:
             records, _matches = with_people(book.records(), find_class_list(parsed, book))
             submissions = [record.graded.submission for record in records]
             names = names_of(records)
-    untouched = list(readable_notebooks(student_notebooks(course.root)))
+    untouched = list(_read(student_notebooks(course.root)))
     handout = fingerprints(handout_cells(untouched))
     chapters = [chapter.name for chapter in course.chapters]
     students = {}
@@ -157,12 +157,24 @@ def _sentence(pair: Pair, names: Mapping[str, str]) -> str:
     return f"{pair.share:4.0%}  {sentence}"
 
 
+def _read(paths: Sequence[Path]) -> Iterator[dict[str, Any]]:
+    """The course's own notebooks; one that cannot be read is named, since it is missed here."""
+    from autograder.reports.terminal import warn
+
+    for path in paths:
+        found = list(readable_notebooks([path]))
+        if not found:
+            sentence = _("{file} cannot be read as a notebook; it is left out of the comparison.")
+            warn(sentence.format(file=path))
+        yield from found
+
+
 def _public(root: Path) -> dict[str, Code]:
     """What anybody can read who finds the repository: the solved notebooks and the references."""
     from autograder.reports.code_fingerprints import fingerprints
     from autograder.reports.similarity import handout_cells
 
-    solved = list(readable_notebooks(sorted((root / SOLVED).glob("*.ipynb"))))
+    solved = list(_read(sorted((root / SOLVED).glob("*.ipynb"))))
     references = [
         path.read_text(encoding="utf-8") for path in sorted((root / SOLUTIONS).rglob("*.py"))
     ]

@@ -87,7 +87,7 @@ def test_grading_writes_the_summary_and_the_remarks_at_the_notebooks(
 
 
 def test_a_notebook_that_a_merge_has_damaged_does_not_end_the_grading_of_its_repository(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ):
     """In a student's repository the course's notebooks are the student's own."""
     make_course(tmp_path / "course")
@@ -98,3 +98,6 @@ def test_a_notebook_that_a_merge_has_damaged_does_not_end_the_grading_of_its_rep
     monkeypatch.chdir(tmp_path)
     for command in (["grade", "work"], ["similar"]):
         assert main(["--course", str(tmp_path / "course"), *command, "--out", "grades"]) == 0
+    assert "1_orchard.ipynb cannot be read as a notebook" in " ".join(
+        capsys.readouterr().err.split()
+    )
